@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/kernels.hpp"
+
+namespace bodyline::model {
+
+/// Gauss-Legendre nodes and weights on [lo, hi].
+struct GaussRule {
+  std::vector<double> nodes, weights;
+};
+GaussRule gauss_rule(int nodes, double lo, double hi);
+
+/// What part of a face is integrated: all of it, or the half of a central face on the left (parameter in [0, 1/2]).
+enum class Range { whole, half_u, half_v };
+
+/// Owns the tables behind a FaceRule.
+class FaceTables {
+ public:
+  /// `nodes` per direction, a multiple of 8 up to 64. Throws std::invalid_argument otherwise.
+  FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend);
+  const FaceRule& rule() const { return rule_; }
+  const GaussRule& rule_u() const { return gauss_u_; }
+  const GaussRule& rule_v() const { return gauss_v_; }
+
+ private:
+  struct Deleter {
+    void operator()(double* p) const;
+  };
+  GaussRule gauss_u_, gauss_v_;
+  std::unique_ptr<double[], Deleter> data_;
+  FaceRule rule_;
+};
+
+}  // namespace bodyline::model
