@@ -1,0 +1,279 @@
+#pragma once
+
+#include "model/elevation.hpp"
+#include "model/isa_namespace.hpp"
+#include "model/plane_solve.hpp"
+#include "model/vec3.hpp"
+
+/// The corner patch where three or four transitions end: a bicubically blended Coons patch V(x, y) of degree (6,6),
+/// G1 with all of them (docs/mathematics.md, section 7).
+namespace bodyline::model {
+inline namespace BODYLINE_ISA_NAMESPACE {
+
+inline constexpr int corner_degree = 6;
+inline constexpr int corner_points = (corner_degree + 1) * (corner_degree + 1);
+
+/// Edges of a corner patch: y = 0 and y = 1 run along x, x = 0 and x = 1 along y.
+enum CornerEdge { bottom, top, left, right };
+
+/// The end of one transition, in the direction of the corner patch's edge.
+template <class Real>
+struct TransitionEnd {
+  Vec3<Real> curve[4];   ///< the edge itself
+  Vec3<Real> inward[4];  ///< the transition's derivative along the joint, as a cubic in the edge's parameter
+};
+
+/// Field across an edge: kappa(t) inward(t) + mu(t) curve'(t), kappa and mu cubic (Hermite data at both ends).
+template <class Real>
+struct CornerField {
+  PlaneCoordinates<Real> value[2];  ///< (kappa, mu) at t = 0 and 1
+  PlaneCoordinates<Real> slope[2];
+};
+
+/// Everything the construction computed on its way, for the pullback. Fields are indexed by CornerEdge.
+template <class Real>
+struct CornerTrace {
+  CornerField<Real> field[4];
+};
+
+/// One corner of V: the edge along x that ends there, the edge along y, and which end of each.
+struct CornerVertex {
+  CornerEdge along_x, along_y;
+  int x, y;  ///< 0 or 1
+};
+inline constexpr CornerVertex corner_vertices[4] = {
+    {bottom, left, 0, 0}, {bottom, right, 1, 0}, {top, left, 0, 1}, {top, right, 1, 1}};
+
+/// Value and derivatives of a transition end's curve and inward field at t = 0 or 1.
+template <class Real>
+struct EndJet {
+  Vec3<Real> tangent, second;           ///< c', c''
+  Vec3<Real> inward, inward_derivative; ///< q, q'
+};
+
+template <class Real>
+EndJet<Real> end_jet(const TransitionEnd<Real>& edge, int end) {
+  const Vec3<Real>*c = edge.curve, *q = edge.inward;
+  if (end == 0) {
+    return {scaled(3.0, c[1] - c[0]), scaled(6.0, c[0] - scaled(2.0, c[1]) + c[2]), q[0], scaled(3.0, q[1] - q[0])};
+  }
+  return {scaled(3.0, c[3] - c[2]), scaled(6.0, c[1] - scaled(2.0, c[2]) + c[3]), q[3], scaled(3.0, q[3] - q[2])};
+}
+
+template <class Real>
+void end_jet_pullback(int end, const EndJet<Real>& bar, TransitionEnd<Real>& edge_bar) {
+  Vec3<Real>*c = edge_bar.curve, *q = edge_bar.inward;
+  const int at = end == 0 ? 0 : 3, next = end == 0 ? 1 : 2, after = end == 0 ? 2 : 1;
+  const double sign = end == 0 ? 1.0 : -1.0;
+  c[next] += scaled(3.0 * sign, bar.tangent) - scaled(12.0, bar.second);
+  c[at] += scaled(6.0, bar.second) - scaled(3.0 * sign, bar.tangent);
+  c[after] += scaled(6.0, bar.second);
+  q[at] += bar.inward - scaled(3.0 * sign, bar.inward_derivative);
+  q[next] += scaled(3.0 * sign, bar.inward_derivative);
+}
+
+/// The twist seen from one edge: the derivative of its field at an end.
+template <class Real>
+Vec3<Real> field_twist(const EndJet<Real>& jet, const PlaneCoordinates<Real>& value,
+                       const PlaneCoordinates<Real>& slope) {
+  return slope.p * jet.inward + value.p * jet.inward_derivative + slope.q * jet.tangent + value.q * jet.second;
+}
+
+template <class Real>
+void field_twist_pullback(const EndJet<Real>& jet, const PlaneCoordinates<Real>& value,
+                          const PlaneCoordinates<Real>& slope, const Vec3<Real>& bar, EndJet<Real>& jet_bar,
+                          PlaneCoordinates<Real>& value_bar, PlaneCoordinates<Real>& slope_bar) {
+  slope_bar.p += dot(bar, jet.inward);
+  slope_bar.q += dot(bar, jet.tangent);
+  value_bar.p += dot(bar, jet.inward_derivative);
+  value_bar.q += dot(bar, jet.second);
+  jet_bar.inward += slope.p * bar;
+  jet_bar.inward_derivative += value.p * bar;
+  jet_bar.tangent += slope.q * bar;
+  jet_bar.second += value.q * bar;
+}
+
+/// Field values at a regular vertex, and the four slopes (kappa', mu' of both edges) that make both twists agree
+/// in the tangent plane with the least norm.
+template <class Real>
+void regular_vertex(const EndJet<Real>& x, const EndJet<Real>& y, PlaneCoordinates<Real>& x_value,
+                    PlaneCoordinates<Real>& x_slope, PlaneCoordinates<Real>& y_value,
+                    PlaneCoordinates<Real>& y_slope) {
+  x_value = plane_solve(x.inward, x.tangent, y.tangent);
+  y_value = plane_solve(y.inward, y.tangent, x.tangent);
+  const PlaneCoordinates<Real> none{};
+  const Vec3<Real> gap = field_twist(y, y_value, none) - field_twist(x, x_value, none);
+  const Vec3<Real> column[4] = {x.inward, x.tangent, -y.inward, -y.tangent};
+  const Vec3<Real> axis[2] = {x.tangent, y.tangent};
+  Real a[2][4], rhs[2];
+  for (int r = 0; r < 2; ++r) {
+    rhs[r] = dot(axis[r], gap);
+    for (int k = 0; k < 4; ++k) a[r][k] = dot(axis[r], column[k]);
+  }
+  Real g00{}, g01{}, g11{};
+  for (int k = 0; k < 4; ++k) {
+    g00 += a[0][k] * a[0][k];
+    g01 += a[0][k] * a[1][k];
+    g11 += a[1][k] * a[1][k];
+  }
+  const Real inverse = Real(1.0) / (g00 * g11 - g01 * g01);
+  const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse, y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
+  x_slope = {a[0][0] * y0 + a[1][0] * y1, a[0][1] * y0 + a[1][1] * y1};
+  y_slope = {a[0][2] * y0 + a[1][2] * y1, a[0][3] * y0 + a[1][3] * y1};
+}
+
+/// Pullback of regular_vertex: adds to the adjoints of both end jets; the value adjoints are consumed.
+template <class Real>
+void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const PlaneCoordinates<Real>& x_value,
+                             const PlaneCoordinates<Real>& y_value, PlaneCoordinates<Real> x_value_bar,
+                             const PlaneCoordinates<Real>& x_slope_bar, PlaneCoordinates<Real> y_value_bar,
+                             const PlaneCoordinates<Real>& y_slope_bar, EndJet<Real>& x_bar, EndJet<Real>& y_bar) {
+  const PlaneCoordinates<Real> none{};
+  const Vec3<Real> gap = field_twist(y, y_value, none) - field_twist(x, x_value, none);
+  const Vec3<Real> column[4] = {x.inward, x.tangent, -y.inward, -y.tangent};
+  const Vec3<Real> axis[2] = {x.tangent, y.tangent};
+  Real a[2][4], rhs[2];
+  for (int r = 0; r < 2; ++r) {
+    rhs[r] = dot(axis[r], gap);
+    for (int k = 0; k < 4; ++k) a[r][k] = dot(axis[r], column[k]);
+  }
+  Real g00{}, g01{}, g11{};
+  for (int k = 0; k < 4; ++k) {
+    g00 += a[0][k] * a[0][k];
+    g01 += a[0][k] * a[1][k];
+    g11 += a[1][k] * a[1][k];
+  }
+  const Real inverse = Real(1.0) / (g00 * g11 - g01 * g01);
+  const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse, y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
+  // z = A^T s, s = (A A^T)^-1 rhs
+  const Real z_bar[4] = {x_slope_bar.p, x_slope_bar.q, y_slope_bar.p, y_slope_bar.q};
+  Real s0{}, s1{};
+  for (int k = 0; k < 4; ++k) {
+    s0 += a[0][k] * z_bar[k];
+    s1 += a[1][k] * z_bar[k];
+  }
+  const Real w0 = (g11 * s0 - g01 * s1) * inverse, w1 = (g00 * s1 - g01 * s0) * inverse;
+  Vec3<Real> column_bar[4], axis_bar[2];
+  for (int k = 0; k < 4; ++k) {
+    const Real along_s = a[0][k] * y0 + a[1][k] * y1, along_w = a[0][k] * w0 + a[1][k] * w1;
+    const Real a0_bar = y0 * z_bar[k] - w0 * along_s - y0 * along_w;
+    const Real a1_bar = y1 * z_bar[k] - w1 * along_s - y1 * along_w;
+    column_bar[k] = a0_bar * axis[0] + a1_bar * axis[1];
+    axis_bar[0] += a0_bar * column[k];
+    axis_bar[1] += a1_bar * column[k];
+  }
+  axis_bar[0] += w0 * gap;
+  axis_bar[1] += w1 * gap;
+  const Vec3<Real> gap_bar = w0 * axis[0] + w1 * axis[1];
+  PlaneCoordinates<Real> unused;
+  field_twist_pullback(y, y_value, none, gap_bar, y_bar, y_value_bar, unused);
+  field_twist_pullback(x, x_value, none, -gap_bar, x_bar, x_value_bar, unused);
+  x_bar.inward += column_bar[0];
+  x_bar.tangent += column_bar[1] + axis_bar[0];
+  y_bar.inward -= column_bar[2];
+  y_bar.tangent += axis_bar[1] - column_bar[3];
+  plane_solve_pullback(x.inward, x.tangent, y.tangent, x_value, x_value_bar, x_bar.inward, x_bar.tangent,
+                       y_bar.tangent);
+  plane_solve_pullback(y.inward, y.tangent, x.tangent, y_value, y_value_bar, y_bar.inward, y_bar.tangent,
+                       x_bar.tangent);
+}
+
+/// Where three joints meet the edge y = 1 shrinks to the apex: there the fields of the two long edges vanish and their
+/// slopes make the twist equal to the difference of the two end tangents.
+template <class Real>
+void apex_vertex(const TransitionEnd<Real>* edges, CornerField<Real>* field) {
+  const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
+  const Vec3<Real> twist = r.tangent - l.tangent;
+  field[left].value[1] = field[right].value[1] = PlaneCoordinates<Real>{};
+  field[left].slope[1] = plane_solve(l.inward, l.tangent, twist);
+  field[right].slope[1] = plane_solve(r.inward, r.tangent, twist);
+}
+
+template <class Real>
+void apex_vertex_pullback(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
+                          const CornerField<Real>* field_bar, TransitionEnd<Real>* edges_bar) {
+  const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
+  const Vec3<Real> twist = r.tangent - l.tangent;
+  EndJet<Real> l_bar{}, r_bar{};
+  Vec3<Real> twist_bar;
+  plane_solve_pullback(l.inward, l.tangent, twist, field[left].slope[1], field_bar[left].slope[1], l_bar.inward,
+                       l_bar.tangent, twist_bar);
+  plane_solve_pullback(r.inward, r.tangent, twist, field[right].slope[1], field_bar[right].slope[1], r_bar.inward,
+                       r_bar.tangent, twist_bar);
+  r_bar.tangent += twist_bar;
+  l_bar.tangent -= twist_bar;
+  end_jet_pullback(1, l_bar, edges_bar[left]);
+  end_jet_pullback(1, r_bar, edges_bar[right]);
+}
+
+/// The field as a row of degree 6: kappa q + mu c'.
+template <class Real>
+void field_row(const TransitionEnd<Real>& edge, const CornerField<Real>& field, Vec3<Real>* row) {
+  const PlaneCoordinates<Real>*v = field.value, *s = field.slope;
+  const Real third(1.0 / 3.0);
+  const Real kappa[4] = {v[0].p, v[0].p + third * s[0].p, v[1].p - third * s[1].p, v[1].p};
+  const Real mu[4] = {v[0].q, v[0].q + third * s[0].q, v[1].q - third * s[1].q, v[1].q};
+  Vec3<Real> tangent[3], product[6] = {};
+  for (int i = 0; i < 3; ++i) tangent[i] = scaled(3.0, edge.curve[i + 1] - edge.curve[i]);
+  multiply_add(3, 2, mu, tangent, product);
+  elevate(5, 1, product, row);
+  multiply_add(3, 3, kappa, edge.inward, row);
+}
+
+template <class Real>
+void field_row_pullback(const TransitionEnd<Real>& edge, const CornerField<Real>& field, const Vec3<Real>* row_bar,
+                        TransitionEnd<Real>& edge_bar, CornerField<Real>& field_bar) {
+  const PlaneCoordinates<Real>*v = field.value, *s = field.slope;
+  const Real third(1.0 / 3.0);
+  const Real kappa[4] = {v[0].p, v[0].p + third * s[0].p, v[1].p - third * s[1].p, v[1].p};
+  const Real mu[4] = {v[0].q, v[0].q + third * s[0].q, v[1].q - third * s[1].q, v[1].q};
+  Vec3<Real> tangent[3], tangent_bar[3] = {}, product_bar[6] = {};
+  for (int i = 0; i < 3; ++i) tangent[i] = scaled(3.0, edge.curve[i + 1] - edge.curve[i]);
+  Real kappa_bar[4] = {}, mu_bar[4] = {};
+  multiply_add_pullback(3, 3, kappa, edge.inward, row_bar, kappa_bar, edge_bar.inward);
+  elevate_pullback(5, 1, row_bar, product_bar);
+  multiply_add_pullback(3, 2, mu, tangent, product_bar, mu_bar, tangent_bar);
+  for (int i = 0; i < 3; ++i) {
+    edge_bar.curve[i + 1] += scaled(3.0, tangent_bar[i]);
+    edge_bar.curve[i] -= scaled(3.0, tangent_bar[i]);
+  }
+  field_bar.value[0].p += kappa_bar[0] + kappa_bar[1];
+  field_bar.value[1].p += kappa_bar[2] + kappa_bar[3];
+  field_bar.slope[0].p += third * kappa_bar[1];
+  field_bar.slope[1].p -= third * kappa_bar[2];
+  field_bar.value[0].q += mu_bar[0] + mu_bar[1];
+  field_bar.value[1].q += mu_bar[2] + mu_bar[3];
+  field_bar.slope[0].q += third * mu_bar[1];
+  field_bar.slope[1].q -= third * mu_bar[2];
+}
+
+/// Both twists at a vertex; they agree but for a normal part at the end of a seam.
+template <class Real>
+struct VertexTwist {
+  Vec3<Real> from_x, from_y;
+};
+
+template <class Real>
+VertexTwist<Real> vertex_twist(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
+                               const CornerVertex& vertex) {
+  const CornerField<Real>&fx = field[vertex.along_x], fy = field[vertex.along_y];
+  return {field_twist(end_jet(edges[vertex.along_x], vertex.x), fx.value[vertex.x], fx.slope[vertex.x]),
+          field_twist(end_jet(edges[vertex.along_y], vertex.y), fy.value[vertex.y], fy.slope[vertex.y])};
+}
+
+template <class Real>
+void vertex_twist_pullback(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
+                           const CornerVertex& vertex, const VertexTwist<Real>& bar, TransitionEnd<Real>* edges_bar,
+                           CornerField<Real>* field_bar) {
+  const auto one = [&](CornerEdge edge, int end, const Vec3<Real>& twist_bar) {
+    EndJet<Real> jet_bar{};
+    field_twist_pullback(end_jet(edges[edge], end), field[edge].value[end], field[edge].slope[end], twist_bar, jet_bar,
+                         field_bar[edge].value[end], field_bar[edge].slope[end]);
+    end_jet_pullback(end, jet_bar, edges_bar[edge]);
+  };
+  one(vertex.along_x, vertex.x, bar.from_x);
+  one(vertex.along_y, vertex.y, bar.from_y);
+}
+
+}  // namespace BODYLINE_ISA_NAMESPACE
+}  // namespace bodyline::model
