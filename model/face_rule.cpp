@@ -13,7 +13,7 @@ namespace bodyline::model {
 namespace {
 
 constexpr std::align_val_t table_alignment{64};
-constexpr int orders = 4;       // values and three derivatives
+constexpr int orders = 4;  // values and three derivatives
 constexpr int jet_entries = 10;
 
 struct LegendreValue {
@@ -93,14 +93,15 @@ void FaceTables::Deleter::operator()(double* p) const { ::operator delete[](p, t
 
 FaceTables::FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend) {
   require(nodes >= 8 && nodes <= max_nodes && nodes % 8 == 0,
-          "the number of Gauss nodes is " + std::to_string(nodes) + "; allowed are multiples of 8 up to " +
-              std::to_string(max_nodes));
+          "the number of Gauss nodes is " + std::to_string(nodes) +
+              "; allowed are multiples of 8 up to " + std::to_string(max_nodes));
   require(degree_u >= 1 && degree_u <= max_degree && degree_v >= 1 && degree_v <= max_degree,
-          "the degrees of a face are " + std::to_string(degree_u) + " and " + std::to_string(degree_v) +
-              "; allowed are 1 to " + std::to_string(max_degree));
+          "the degrees of a face are " + std::to_string(degree_u) + " and " +
+              std::to_string(degree_v) + "; allowed are 1 to " + std::to_string(max_degree));
   gauss_u_ = gauss_rule(nodes, 0.0, range == Range::half_u ? 0.5 : 1.0);
   gauss_v_ = gauss_rule(nodes, 0.0, range == Range::half_v ? 0.5 : 1.0);
-  const int size = nodes * (2 + orders * (degree_u + 1 + degree_v + 1)) + (with_blend ? jet_entries * nodes * nodes : 0);
+  const int size = nodes * (2 + orders * (degree_u + 1 + degree_v + 1)) +
+                   (with_blend ? jet_entries * nodes * nodes : 0);
   data_.reset(static_cast<double*>(::operator new[](size * sizeof(double), table_alignment)));
   double* next = data_.get();
   rule_ = {.degree_u = degree_u, .degree_v = degree_v, .nodes = nodes};

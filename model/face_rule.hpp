@@ -16,15 +16,17 @@ struct GaussRule {
 };
 GaussRule gauss_rule(int nodes, double lo, double hi);
 
-/// What part of a face is integrated: all of it, or the half of a central face on the left (parameter in [0, 1/2]).
+/// What part of a face is integrated: all of it, or the half of a central face on the left
+/// (parameter in [0, 1/2]).
 enum class Range { whole, half_u, half_v };
 
-/// Owns the tables behind a FaceRule: Bernstein polynomials at the nodes, and the jets of the Gregory
-/// function (section 8) where `with_blend` asks for them. Can be moved, not copied; a rule taken from it stays valid as
-/// long as the tables live.
+/// Owns the tables behind a FaceRule: Bernstein polynomials at the nodes, and the jets of the
+/// Gregory function (section 8) where `with_blend` asks for them. Can be moved, not copied; a rule
+/// taken from it stays valid as long as the tables live.
 class FaceTables {
  public:
-  /// Degrees 1 to 12; `nodes` per direction, a multiple of 8 up to 64. Throws std::invalid_argument otherwise.
+  /// Degrees 1 to 12; `nodes` per direction, a multiple of 8 up to 64. Throws std::invalid_argument
+  /// otherwise.
   FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend);
   const FaceRule& rule() const { return rule_; }
   const GaussRule& rule_u() const { return gauss_u_; }

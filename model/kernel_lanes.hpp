@@ -6,8 +6,9 @@
 
 #include "model/isa_namespace.hpp"
 
-/// Vectors of doubles of the width of one instruction set. Only for sources that are compiled once per instruction
-/// set (kernels_impl.cpp): nothing here may leave an object file, hence static and always inlined.
+/// Vectors of doubles of the width of one instruction set. Only for sources that are compiled once
+/// per instruction set (kernels_impl.cpp): nothing here may leave an object file, hence static and
+/// always inlined.
 namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
 
 #define BODYLINE_INLINE __attribute__((always_inline)) static inline
@@ -20,7 +21,8 @@ constexpr int lanes = 4;
 constexpr int lanes = 2;
 #endif
 
-/// One double for each of `lanes` neighbouring Gauss nodes along u; arithmetic is element by element.
+/// One double for each of `lanes` neighbouring Gauss nodes along u; arithmetic is element by
+/// element.
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 using Mask = long long __attribute__((vector_size(lanes * sizeof(double))));
 
@@ -40,9 +42,9 @@ BODYLINE_INLINE Lanes keep_where(Mask mask, Lanes x) { return (Lanes)((Mask)x & 
 /// 1 / sqrt(x) for positive normal x, to 2 units in the last place.
 BODYLINE_INLINE Lanes reciprocal_sqrt(Lanes x) {
 #if defined(__AVX512F__)
-  // The estimate y is good to 2^-14. With e = 1 - x y^2 the exact result is y (1 - e)^(-1/2); cut after e^3 the series
-  // leaves 35/128 e^4 < 2^-53.
-  const Lanes y = _mm512_rsqrt14_pd(x);
+  // The estimate y is good to 2^-14. With e = 1 - x y^2 the exact result is y (1 - e)^(-1/2); cut
+  // after e^3 the series leaves 35/128 e^4 < 2^-53.
+  const Lanes y = _mm512_maskz_rsqrt14_pd(0xff, x);
   const Lanes e = 1.0 - (x * y) * y;
   return y + (y * e) * (0.5 + e * (0.375 + e * 0.3125));
 #elif defined(__AVX2__)

@@ -1,53 +1,59 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
-/// The inner loops over the Gauss nodes of one face, compiled once for each instruction set and chosen at run
-/// time. They see plain arrays; face_rule.hpp fills the tables.
+/// The inner loops over the Gauss nodes of one face, compiled once for each instruction set and
+/// chosen at run time. They see plain arrays; face_rule.hpp fills the tables.
 namespace bodyline::model {
 
-/// Tables of one face's quadrature: Bernstein values and derivatives at the nodes of a tensor Gauss rule.
-/// Shared by all faces of the same degrees and range; nothing here depends on the net.
+/// Tables of one face's quadrature: Bernstein values and derivatives at the nodes of a tensor Gauss
+/// rule. Shared by all faces of the same degrees and range; nothing here depends on the net.
 struct FaceRule {
   int degree_u = 0, degree_v = 0;
   int nodes = 0;  ///< per direction, a multiple of 8
-  /// basis_u[(order * (degree_u + 1) + i) * nodes + k]: derivative `order` (0..3) of B_i at node k; 64-byte aligned.
+  /// basis_u[(order * (degree_u + 1) + i) * nodes + k]: derivative `order` (0..3) of B_i at node k;
+  /// 64-byte aligned.
   const double* basis_u = nullptr;
   const double* basis_v = nullptr;
   const double* weights_u = nullptr;  ///< nodes; they sum to the length of the integrated range
   const double* weights_v = nullptr;
-  /// Jets of the Gregory function g at the nodes, or null: blend[(q * nodes + kv) * nodes + ku], q = jet_index.
+  /// Jets of the Gregory function g at the nodes, or null: blend[(q * nodes + kv) * nodes + ku], q
+  /// = jet_index.
   const double* blend = nullptr;
 };
 
-/// Parameters of the fold barrier: nodes whose normal makes a cosine below `cosine` with the face's mean normal pay
+/// Parameters of the fold barrier: nodes whose normal makes a cosine below `cosine` with the face's
+/// mean normal pay
 /// ((cosine - c) / (1 + cosine))^3; the mean over the nodes is the term's value.
 struct FoldOptions {
   double cosine = 0.25;
 };
 
-/// Value kernels: `net` has (degree_u+1)(degree_v+1)*3 doubles, xyz fastest, then v; `blend` 3 doubles, read only where
-/// rule.blend is set. Pullback kernels return the same value and add seed * d value / d net to `net_bar` (and to
-/// `blend_bar`). None allocates; all are safe to call from several threads at once.
+/// Value kernels: `net` has (degree_u+1)(degree_v+1)*3 doubles, xyz fastest, then v; `blend` 3
+/// doubles, read only where rule.blend is set. Pullback kernels return the same value and add seed
+/// * d value / d net to `net_bar` (and to `blend_bar`). None allocates; all are safe to call from
+/// several threads at once.
 struct Kernels {
   const char* name = "";
   using Value = double (*)(const FaceRule&, const double* net, const double* blend);
-  using Pullback = double (*)(const FaceRule&, const double* net, const double* blend, double seed, double* net_bar,
-                              double* blend_bar);
+  using Pullback = double (*)(const FaceRule&, const double* net, const double* blend, double seed,
+                              double* net_bar, double* blend_bar);
   Value area = nullptr;       ///< integral of dA, mm^2
   Value bending = nullptr;    ///< integral of (k1^2 + k2^2) dA
   Value variation = nullptr;  ///< integral of |grad_S H|^2 dA, 1/mm^2
   Pullback area_pullback = nullptr;
   Pullback bending_pullback = nullptr;
   Pullback variation_pullback = nullptr;
-  double (*fold)(const FaceRule&, const double* net, const double* blend, const FoldOptions&) = nullptr;
-  double (*fold_pullback)(const FaceRule&, const double* net, const double* blend, const FoldOptions&, double seed,
-                          double* net_bar, double* blend_bar) = nullptr;
-  /// Jets at all nodes: out[((q * 3 + c) * nodes + kv) * nodes + ku], q = jet_index, c = x, y, z; order 1, 2 or 3.
-  void (*jets)(const FaceRule&, const double* net, const double* blend, int order, double* out) = nullptr;
+  double (*fold)(const FaceRule&, const double* net, const double* blend,
+                 const FoldOptions&) = nullptr;
+  double (*fold_pullback)(const FaceRule&, const double* net, const double* blend,
+                          const FoldOptions&, double seed, double* net_bar,
+                          double* blend_bar) = nullptr;
+  /// Jets at all nodes: out[((q * 3 + c) * nodes + kv) * nodes + ku], q = jet_index, c = x, y, z;
+  /// order 1, 2 or 3.
+  void (*jets)(const FaceRule&, const double* net, const double* blend, int order,
+               double* out) = nullptr;
   /// Mean and Gauss curvature at all nodes, each nodes*nodes doubles, [kv][ku].
-  void (*curvature)(const FaceRule&, const double* net, const double* blend, double* mean, double* gauss) = nullptr;
+  void (*curvature)(const FaceRule&, const double* net, const double* blend, double* mean,
+                    double* gauss) = nullptr;
 };
 
 /// Instruction sets a binary may carry.
