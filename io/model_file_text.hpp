@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace bodyline::io {
+
+/// Limits that keep a broken or hostile file from exhausting memory or the stack. A body of 1000
+/// patches stays far below them.
+inline constexpr std::size_t longest_file = std::size_t{1} << 20;  ///< bytes
+inline constexpr int deepest_nesting = 8;                          ///< brackets within brackets
+inline constexpr int longest_dotted_key = 8;                       ///< dots within one key
+
+/// Checks the limits before the text goes to the TOML parser, whose recursion they bound.
+/// Throws InputError; `file` stands for the file in messages.
+void check_text_limits(std::string_view text, const std::string& file);
+
+}  // namespace bodyline::io

@@ -1,0 +1,95 @@
+#include "io/read_model.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "io/model_file.hpp"
+#include "io/model_file_joining.hpp"
+#include "io/model_file_names.hpp"
+#include "io/model_file_patches.hpp"
+#include "io/model_file_table.hpp"
+#include "io/model_file_text.hpp"
+#include "io/model_file_warnings.hpp"
+#include "model/connect.hpp"
+
+namespace bodyline::io {
+namespace {
+
+constexpr int known_format = 1;
+
+/// Length of a unit in mm. Throws InputError for an unknown unit.
+double millimetres_per_unit(const FileTable& root) {
+  const std::string unit = root.text_or("units", "mm");
+  if (unit == "mm") return 1.0;
+  if (unit == "cm") return 10.0;
+  if (unit == "m") return 1000.0;
+  if (unit == "in") return 25.4;
+  root.fail("units", "is " + in_quotes(unit) + "; allowed are \"mm\", \"cm\", \"m\" and \"in\".");
+}
+
+void check_format(const FileTable& root) {
+  const int format = root.integer("format");
+  if (format == known_format) return;
+  root.fail("format", "is " + std::to_string(format) + "; this program reads format " +
+                          std::to_string(known_format) + ".");
+}
+
+std::string with_full_stop(std::string sentence) {
+  if (!sentence.ends_with('.')) sentence += '.';
+  return sentence;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status)) {
+    throw InputError(path.string(), 0, "", "does not exist.");
+  }
+  if (std::filesystem::is_directory(path, status)) {
+    throw InputError(path.string(), 0, "", "is a folder, not a model file.");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  // One byte more than allowed, so that the check of the length sees a file that is too long.
+  std::string text(longest_file + 1, '\0');
+  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream.is_open() || stream.bad()) {
+    throw InputError(path.string(), 0, "", "cannot be read.");
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+}  // namespace
+
+model::Model read_model_text(std::string_view text, const std::string& name,
+                             std::vector<Warning>* warnings) {
+  const ModelFile file(text, name);
+  const FileTable root(file, file.root(), "");
+  root.allow_only({"format", "name", "units", "note", "curves", "patches", "joints", "seams",
+                   "corners", "wheels"},
+                  "a model file");
+  check_format(root);
+  model::Model model;
+  model.name = root.text("name");
+  model.note = root.text_or("note", "");
+  read_curves(root, millimetres_per_unit(root), model);
+  read_patches(root, model);
+  read_joints(root, model);
+  read_seams(root, model);
+  read_corners(root, model);
+  read_wheels(root, model);
+#ifndef BODYLINE_NO_CONNECT
+  try {
+    model::connect(model);
+  } catch (const model::ModelError& error) {
+    file.fail(error.key(), with_full_stop(error.what()));
+  }
+#endif
+  if (warnings != nullptr) append_warnings(file, model, *warnings);
+  return model;
+}
+
+model::Model read_model(const std::filesystem::path& path, std::vector<Warning>* warnings) {
+  return read_model_text(read_text(path), path.string(), warnings);
+}
+
+}  // namespace bodyline::io
