@@ -77,13 +77,11 @@ model::Model read_model_text(std::string_view text, const std::string& name,
   read_seams(root, model);
   read_corners(root, model);
   read_wheels(root, model);
-#ifndef BODYLINE_NO_CONNECT
   try {
     model::connect(model);
   } catch (const model::ModelError& error) {
     file.fail(error.key(), with_full_stop(error.what()));
   }
-#endif
   if (warnings != nullptr) append_warnings(file, model, *warnings);
   return model;
 }
