@@ -1,0 +1,58 @@
+#include <IGESBasic_Name.hxx>
+#include <IGESControl_Writer.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <TransferBRep_ShapeMapper.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <sstream>
+#include <stdexcept>
+
+#include "io/export_shell.hpp"
+#include "io/export_step.hpp"
+
+namespace bodyline::io {
+namespace {
+
+constexpr int brep_mode = 1;             // shells and faces rather than loose trimmed surfaces
+constexpr std::size_t label_length = 8;  // of the label in an entity's directory entry
+
+Handle(TCollection_HAsciiString) to_cad(const std::string& text) {
+  return new TCollection_HAsciiString(text.c_str());
+}
+
+void name_faces(IGESControl_Writer& writer, const CadShell& cad,
+                const std::vector<model::Surface>& surfaces) {
+  const Handle(Transfer_FinderProcess) finder = writer.TransferProcess();
+  for (std::size_t f = 0; f < surfaces.size(); ++f) {
+    Handle(IGESData_IGESEntity) entity;
+    const Handle(TransferBRep_ShapeMapper) mapper = TransferBRep::ShapeMapper(finder, cad.faces[f]);
+    if (!finder->FindTypedTransient(mapper, STANDARD_TYPE(IGESData_IGESEntity), entity))
+      throw std::runtime_error("OpenCASCADE did not write the face " + surfaces[f].name);
+    const Handle(IGESBasic_Name) property = new IGESBasic_Name;
+    property->Init(1, to_cad(surfaces[f].name));
+    entity->AddProperty(property);
+    entity->SetLabel(to_cad(surfaces[f].name.substr(0, label_length)));
+    writer.AddEntity(property);
+  }
+}
+
+}  // namespace
+
+CadFile iges_file(const std::vector<model::Surface>& surfaces, const std::string& name) {
+  const QuietCad quiet;
+  const CadShell cad = make_shell(surfaces);
+  IGESControl_Writer writer("MM", brep_mode);
+  Interface_Static::SetCVal("write.iges.header.product", name.c_str());
+  if (!writer.AddShape(cad.shape))
+    throw std::runtime_error("OpenCASCADE could not translate the faces to IGES");
+  name_faces(writer, cad, surfaces);
+  writer.ComputeModel();
+  std::ostringstream text;
+  if (!writer.Write(text)) throw std::runtime_error("OpenCASCADE could not write the IGES file");
+  return {text.str(), cad.max_deviation_mm, cad.not_polynomial};
+}
+
+}  // namespace bodyline::io

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "model/surface.hpp"
+
+/// For the STEP and IGES writers only: this header needs OpenCASCADE.
+namespace bodyline::io {
+
+/// The faces as OpenCASCADE topology.
+struct CadShell {
+  TopoDS_Shape
+      shape;  ///< a shell, or a compound of shells where the faces do not all hang together
+  std::vector<TopoDS_Face> faces;           ///< of the shape, in the order of the surfaces
+  double max_deviation_mm = 0.0;            ///< of the approximated faces
+  std::vector<std::string> not_polynomial;  ///< names of the approximated faces
+};
+
+/// Builds the shell: every face a B-spline surface over [0,1]^2 with its parameters and net
+/// unchanged (a Gregory face: see export_spline.hpp), its normal outwards, an edge shared by the
+/// faces that meet along it, and a degenerate edge where a side is a point. Throws
+/// std::runtime_error when OpenCASCADE finds the result invalid.
+CadShell make_shell(const std::vector<model::Surface>& surfaces);
+
+/// While it lives OpenCASCADE prints nothing. Its messages and its settings belong to the whole
+/// process, so exporters must not run in two threads at once.
+class QuietCad {
+ public:
+  QuietCad();
+  ~QuietCad();
+  QuietCad(const QuietCad&) = delete;
+  QuietCad& operator=(const QuietCad&) = delete;
+
+ private:
+  struct Printers;
+  Printers* printers_;
+};
+
+}  // namespace bodyline::io
