@@ -60,9 +60,11 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
   corner_fields(shape, edges, trace.field);
   // W: bicubic patch of the corner data. [x][y]
   Vec3<Real> w[16];
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 1; k < 3; ++k) {
     w[k * 4] = edges[bottom].curve[k];
     w[k * 4 + 3] = edges[top].curve[k];
+  }
+  for (int k = 0; k < 4; ++k) {
     w[k] = edges[left].curve[k];
     w[12 + k] = edges[right].curve[k];
   }
@@ -187,7 +189,6 @@ void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* ed
     curve_bar[3] += scaled(3.0, ends_bar[side]);
     curve_bar[2] -= scaled(3.0, ends_bar[side]);
   }
-  // Boundary of W, where later assignments overwrote earlier ones at the four vertices.
   for (int k = 0; k < 4; ++k) {
     edges_bar[left].curve[k] += w_bar[k];
     edges_bar[right].curve[k] += w_bar[12 + k];
