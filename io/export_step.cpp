@@ -47,6 +47,8 @@ std::string write_text(STEPControl_Writer& writer, const std::string& name) {
   const Handle(StepData_StepModel) step = writer.Model();
   APIHeaderSection_MakeHeader header(step);
   header.SetName(to_cad(plain(name)));
+  header.SetAuthorValue(1, to_cad(""));
+  header.SetOrganizationValue(1, to_cad(""));
   header.SetOriginatingSystem(to_cad("Bodyline"));
   header.Apply(step);
   StepData_StepWriter file(step);
@@ -64,6 +66,7 @@ CadFile step_file(const std::vector<model::Surface>& surfaces, const std::string
   STEPControl_Writer writer;  // registers the settings below
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   Interface_Static::SetCVal("write.step.unit", "MM");
+  Interface_Static::SetIVal("write.step.assembly", 0);  // several shells stay one product
   Interface_Static::SetCVal("write.step.product.name", plain(name).c_str());
   writer.Model(true);
   if (writer.Transfer(cad.shape, STEPControl_AsIs) != IFSelect_RetDone)
