@@ -57,11 +57,11 @@ BODYLINE_INLINE void contract_u(const FaceRule& rule, int ku, const double* net,
     const double* basis = rule.basis_u + ku;
     const double* p = net + 3 * j;
     for (int i = 0; i < points_u; ++i, basis += nodes, p += 3 * points_v) {
-      const Vector point = broadcast_vector(p);
-      accumulate(d0, load(basis), point);
-      accumulate(d1, load(basis + order_stride), point);
-      if constexpr (Order >= 2) accumulate(d2, load(basis + 2 * order_stride), point);
-      if constexpr (Order >= 3) accumulate(d3, load(basis + 3 * order_stride), point);
+      const Vector point = held(broadcast_vector(p));
+      accumulate(d0, held(load(basis)), point);
+      accumulate(d1, held(load(basis + order_stride)), point);
+      if constexpr (Order >= 2) accumulate(d2, held(load(basis + 2 * order_stride)), point);
+      if constexpr (Order >= 3) accumulate(d3, held(load(basis + 3 * order_stride)), point);
     }
     Lanes* row = rows.data + j * Rows<Order>::stride;
     store_vector(row, d0);
@@ -101,19 +101,19 @@ BODYLINE_INLINE Jet contract_v(const FaceRule& rule, const Rows<Order>& rows, co
   const double* basis = rule.basis_v + kv;
   const Lanes* row = rows.data;
   for (int j = 0; j <= rule.degree_v; ++j, basis += rule.nodes, row += Rows<Order>::stride) {
-    const Lanes b0 = broadcast(basis[0]), b1 = broadcast(basis[order_stride]);
-    const Vector d0 = load_vector(row), d1 = load_vector(row + 3);
+    const Lanes b0 = held(broadcast(basis[0])), b1 = held(broadcast(basis[order_stride]));
+    const Vector d0 = held(load_vector(row)), d1 = held(load_vector(row + 3));
     if constexpr (with_point) accumulate(jet.point, b0, d0);
     accumulate(jet.v, b1, d0);
     accumulate(jet.u, b0, d1);
     if constexpr (Order >= 2) {
-      const Lanes b2 = broadcast(basis[2 * order_stride]);
-      const Vector d2 = load_vector(row + 6);
+      const Lanes b2 = held(broadcast(basis[2 * order_stride]));
+      const Vector d2 = held(load_vector(row + 6));
       accumulate(jet.vv, b2, d0);
       accumulate(jet.uv, b1, d1);
       accumulate(jet.uu, b0, d2);
       if constexpr (Order >= 3) {
-        const Lanes b3 = broadcast(basis[3 * order_stride]);
+        const Lanes b3 = held(broadcast(basis[3 * order_stride]));
         accumulate(jet.vvv, b3, d0);
         accumulate(jet.uvv, b2, d1);
         accumulate(jet.uuv, b1, d2);

@@ -36,6 +36,17 @@ BODYLINE_INLINE void store(double* p, Lanes x) { __builtin_memcpy(p, &x, sizeof 
 
 BODYLINE_INLINE Lanes broadcast(double x) { return x - Lanes{}; }
 
+/// Holds a value that is used several times in a register. Otherwise GCC makes its load a part of every use, and the
+/// loads, one a cycle, become the bottleneck.
+BODYLINE_INLINE Lanes held(Lanes x) {
+#if defined(__AVX512F__)
+  asm("" : "+v"(x));
+#elif defined(__SSE2__)
+  asm("" : "+x"(x));
+#endif
+  return x;
+}
+
 /// Where the mask is set x, elsewhere zero.
 BODYLINE_INLINE Lanes keep_where(Mask mask, Lanes x) { return (Lanes)((Mask)x & mask); }
 
@@ -111,6 +122,7 @@ BODYLINE_INLINE Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 BODYLINE_INLINE Vector load_vector(const Lanes* p) { return {p[0], p[1], p[2]}; }
+BODYLINE_INLINE Vector held(const Vector& a) { return {held(a.x), held(a.y), held(a.z)}; }
 BODYLINE_INLINE void store_vector(Lanes* p, const Vector& a) {
   p[0] = a.x;
   p[1] = a.y;

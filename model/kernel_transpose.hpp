@@ -25,7 +25,8 @@ BODYLINE_INLINE void transpose_entries(const double* basis, int nodes, int order
   for (int k = 0; k < block; ++k) {
     const double* b = basis + k;
     const auto add = [&](const Vector& entry) {
-      for (int j = 0; j < count; ++j) accumulate(total[j], broadcast(b[j * nodes]), entry);
+      const Vector d = held(entry);
+      for (int j = 0; j < count; ++j) accumulate(total[j], held(broadcast(b[j * nodes])), d);
       b += order_stride;
     };
     (add(jets.jets[k].*entries), ...);
@@ -96,17 +97,18 @@ BODYLINE_INLINE void contract_u_transposed(const FaceRule& rule, int ku,
   const bool fresh = ku == 0;
   for (int j = 0; j < points_v; ++j) {
     const Lanes* row = rows_bar.data + j * Rows<Order>::stride;
-    const Vector d0 = load_vector(row), d1 = load_vector(row + 3);
+    const Vector d0 = held(load_vector(row)), d1 = held(load_vector(row + 3));
+    Vector d2, d3;
+    if constexpr (Order >= 2) d2 = held(load_vector(row + 6));
+    if constexpr (Order >= 3) d3 = held(load_vector(row + 9));
     const double* basis = rule.basis_u + ku;
     Lanes* bar = net_bar.data + 3 * j;
     for (int i = 0; i < points_u; ++i, basis += nodes, bar += 3 * points_v) {
       Vector total = fresh ? Vector{} : load_vector(bar);
-      accumulate(total, load(basis), d0);
-      accumulate(total, load(basis + order_stride), d1);
-      if constexpr (Order >= 2)
-        accumulate(total, load(basis + 2 * order_stride), load_vector(row + 6));
-      if constexpr (Order >= 3)
-        accumulate(total, load(basis + 3 * order_stride), load_vector(row + 9));
+      accumulate(total, held(load(basis)), d0);
+      accumulate(total, held(load(basis + order_stride)), d1);
+      if constexpr (Order >= 2) accumulate(total, held(load(basis + 2 * order_stride)), d2);
+      if constexpr (Order >= 3) accumulate(total, held(load(basis + 3 * order_stride)), d3);
       store_vector(bar, total);
     }
   }
