@@ -4,6 +4,7 @@
 
 #include "io/model_file_lookup.hpp"
 #include "io/model_file_names.hpp"
+#include "model/basis.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -16,8 +17,6 @@ constexpr Count shape_values{0, 8};
 /// Largest coordinate in mm; a car that is 1 km long is a mistake in the units.
 constexpr double largest_coordinate = 1e6;
 constexpr double largest_parameter = 1e6;
-
-std::vector<std::string> family_names() { return {"ge-bezier"}; }
 
 /// A side as the file names it: a curve, with "-" in front when it runs backwards.
 model::SideCurve read_side(const FileTable& table, const std::string& key,
@@ -50,7 +49,7 @@ void read_sides(const FileTable& table, const model::Model& model, model::Patch&
 
 std::string read_basis(const FileTable& table) {
   const std::string basis = table.text_or("basis", model::Patch{}.basis);
-  const std::vector<std::string> known = family_names();
+  const std::vector<std::string>& known = model::basis_names();
   if (std::find(known.begin(), known.end(), basis) == known.end()) {
     table.fail("basis", "is " + in_quotes(basis) + ", but there is no basis of this name;" +
                             suggestion(basis, known) + " Known are " + listed(known) + ".");

@@ -5,31 +5,64 @@
 namespace bodyline::io {
 namespace {
 
-/// Walks over a TOML text, stepping over strings and comments. Past the first syntax error its idea
-/// of what is a string may differ from the parser's, which stops there.
-class Scanner {
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+bool is_beyond_ascii(char c) { return (static_cast<unsigned char>(c) & 0x80) != 0; }
+bool is_white_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+/// Walks once over a TOML text. Past the first syntax error its idea of what is a string may differ
+/// from the parser's, which stops there.
+class TextCheck {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  TextCheck(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
-  bool at_end() const { return position_ >= text_.size(); }
-  int line() const { return line_; }
-
-  /// The next character that is neither in a string nor in a comment.
-  char next() {
-    const char c = take();
-    if (c == '#') skip_comment();
-    if (c == '"' || c == '\'') skip_string(c);
-    return c;
+  void run() {
+    if (follows(byte_order_mark)) position_ = byte_order_mark.size();
+    while (!at_end()) {
+      const char c = take();
+      if (c == '#') {
+        skip_comment();
+      } else if (c == '"' || c == '\'') {
+        skip_string(c);
+      } else {
+        check_outside_strings(c);
+      }
+    }
   }
 
  private:
+  bool at_end() const { return position_ >= text_.size(); }
+  bool follows(std::string_view word) const { return text_.substr(position_).starts_with(word); }
+
   char take() {
     const char c = text_[position_++];
     if (c == '\n') ++line_;
     return c;
   }
 
-  bool follows(std::string_view word) const { return text_.substr(position_).starts_with(word); }
+  [[noreturn]] void fail(const std::string& sentence) const {
+    throw InputError(file_, line_, "", sentence);
+  }
+
+  void check_outside_strings(char c) {
+    if (is_beyond_ascii(c)) {
+      fail(
+          "holds a character outside ASCII; such characters may stand only in quotes and "
+          "comments.");
+    }
+    if (c == '[' || c == '{') ++nesting_;
+    if (c == ']' || c == '}') --nesting_;
+    if (nesting_ > deepest_nesting) {
+      fail("brackets are nested more than " + std::to_string(deepest_nesting) +
+           " deep; a model file needs no more than 2.");
+    }
+    if (c == '.') ++dots_;
+    if (std::string_view("=,\n[]{}").find(c) != std::string_view::npos) dots_ = 0;
+    if (dots_ > longest_dotted_key) {
+      fail("a key has more than " + std::to_string(longest_dotted_key) +
+           " dots; a model file needs no more than 2.");
+    }
+  }
 
   void skip_comment() {
     while (!at_end() && text_[position_] != '\n') take();
@@ -37,14 +70,14 @@ class Scanner {
 
   void skip_string(char quote) {
     const std::string fence(2, quote);
-    const bool multiline = follows(fence);
-    if (multiline) position_ += 2;
+    const bool several_lines = follows(fence);
+    if (several_lines) position_ += 2;
     while (!at_end()) {
-      if (!multiline && text_[position_] == '\n') return;
+      if (!several_lines && text_[position_] == '\n') return;
       const char c = take();
-      if (c == '\\' && quote == '"' && !at_end()) {
-        take();
-      } else if (c == quote && !multiline) {
+      if (c == '\\' && quote == '"') {
+        skip_escape(several_lines);
+      } else if (c == quote && !several_lines) {
         return;
       } else if (c == quote && follows(fence)) {
         position_ += 2;
@@ -55,9 +88,27 @@ class Scanner {
     }
   }
 
+  /// What a backslash takes with it: one character, or all white space across line ends.
+  void skip_escape(bool several_lines) {
+    if (at_end()) return;
+    take();
+    while (several_lines && is_white_space(text_[position_ - 1]) && !at_end() &&
+           is_white_space(text_[position_])) {
+      take();
+    }
+    const char before = text_[position_ - 1];
+    const bool continued = is_white_space(before) && !at_end() && is_beyond_ascii(text_[position_]);
+    if (several_lines && (continued || is_beyond_ascii(before))) {
+      fail("after a backslash the text must go on with an ASCII character.");
+    }
+  }
+
   std::string_view text_;
+  const std::string& file_;
   std::size_t position_ = 0;
   int line_ = 1;
+  int nesting_ = 0;
+  int dots_ = 0;
 };
 
 }  // namespace
@@ -68,26 +119,7 @@ void check_text_limits(std::string_view text, const std::string& file) {
                      "holds more than " + std::to_string(longest_file) +
                          " bytes, the most that a model file may have.");
   }
-  int nesting = 0;
-  int dots = 0;
-  for (Scanner scanner(text); !scanner.at_end();) {
-    const int line = scanner.line();
-    const char c = scanner.next();
-    if (c == '.') ++dots;
-    if (c == '=' || c == ',' || c == '\n' || c == '[' || c == ']' || c == '{' || c == '}') dots = 0;
-    if (c == '[' || c == '{') ++nesting;
-    if (c == ']' || c == '}') --nesting;
-    if (nesting > deepest_nesting) {
-      throw InputError(file, line, "",
-                       "brackets are nested more than " + std::to_string(deepest_nesting) +
-                           " deep; a model file needs no more than 2.");
-    }
-    if (dots > longest_dotted_key) {
-      throw InputError(file, line, "",
-                       "a key has more than " + std::to_string(longest_dotted_key) +
-                           " dots; a model file needs no more than 2.");
-    }
-  }
+  TextCheck(text, file).run();
 }
 
 }  // namespace bodyline::io

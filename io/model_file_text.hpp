@@ -11,8 +11,9 @@ inline constexpr std::size_t longest_file = std::size_t{1} << 20;  ///< bytes
 inline constexpr int deepest_nesting = 8;                          ///< brackets within brackets
 inline constexpr int longest_dotted_key = 8;                       ///< dots within one key
 
-/// Checks the limits before the text goes to the TOML parser, whose recursion they bound.
-/// Throws InputError; `file` stands for the file in messages.
+/// Checks the limits before the text goes to the TOML parser, whose recursion they bound, and
+/// refuses what the parser (toml++ 3.3) does not survive: characters outside ASCII where white
+/// space may stand. Throws InputError; `file` stands for the file in messages.
 void check_text_limits(std::string_view text, const std::string& file);
 
 }  // namespace bodyline::io

@@ -29,6 +29,14 @@ const std::string hood_joint = "[joints.hood__windshield]\n";
 
 std::vector<Mistake> toml_mistakes() {
   return {
+      {"letter_outside_quotes", hood, "central", "zentr\xc3\xa4l", "", {"ASCII", "quotes"}},
+      {"continued_beyond_ascii",
+       "",
+       "note = \"\"\"\n",
+       "note = \"\"\"\\\n\xc3\xa4",
+       "",
+       {"backslash", "ASCII"},
+       1},
       {"not_toml", "", "format = 1", "format : 1", "", {"not valid TOML"}},
       {"number_cut_off",
        hood,

@@ -182,6 +182,14 @@ TEST(ModelFile, ShapeOutsideThePositiveRangeIsReadWithAWarning) {
   EXPECT_THAT(warnings[0].sentence, ::testing::HasSubstr("-2 to 1"));
 }
 
+TEST(ModelFile, TheExampleOfTheDocumentationIsWrittenAsItStands) {
+  const std::string page = file_text(std::string(BODYLINE_SOURCE_DIR) + "/docs/model-format.md");
+  const std::string fence = "```toml\n";
+  const auto start = page.find(fence) + fence.size();
+  const std::string example = page.substr(start, page.find("```\n", start) - start);
+  EXPECT_EQ(io::write_model_text(io::read_model_text(example, "example")), example);
+}
+
 TEST(ModelFile, WhatNoFileCanHoldIsNotWritten) {
   const model::Model car = io::read_model(car_path("model1"));
   const auto refuses = [&car](auto&& change) {
