@@ -26,7 +26,7 @@ class Construction {
         cuts_(2 * plan.patches.size()),
         seams_before_(plan.seams.size()),
         seam_traces_(plan.seams.size()),
-        uncut_(2 * plan.joints.size()),
+        uncut_(plan.joints.size()),
         corner_traces_(plan.corners.size()) {}
 
   std::vector<Vec3<Real>> nets;      ///< all nets at the offsets of the plan
@@ -179,7 +179,7 @@ class Construction {
       if (step.uncut == which) {
         Vec3<Real> target[2];
         free_edge_targets(parameters, step, target);
-        uncut_handle(step.degree, side, target, edge, handle, &uncut_[2 * j]);
+        uncut_handle(step.degree, side, target, cut_width(parameters, step.side[1 - which]), edge, handle, uncut_[j]);
       } else if (step.uncut >= 0) {
         Vec3<Real> low[max_patch_degree + 1];
         transition_handle(step.degree, side, step.leaning[which], low);
@@ -212,8 +212,10 @@ class Construction {
       if (step.uncut == which) {
         Vec3<Real> target[2], target_bar[2] = {};
         free_edge_targets(parameters, step, target);
-        uncut_handle_pullback(step.degree, side, target, &uncut_[2 * j], edge_bar, handle_bar, bar, target_bar);
-        free_edge_pullback(parameters, step, target_bar, parameters_bar);
+        Real width_bar{};
+        uncut_handle_pullback(step.degree, side, target, cut_width(parameters, step.side[1 - which]), uncut_[j],
+                              edge_bar, handle_bar, bar, target_bar, width_bar);
+        free_edge_pullback(parameters, step, target_bar, width_bar, parameters_bar);
       } else if (step.uncut >= 0) {
         Vec3<Real> low_bar[max_patch_degree + 1] = {};
         elevate_pullback(step.degree, 1, edge_bar, bar.edge);
@@ -247,7 +249,8 @@ class Construction {
     parameters_bar[step.lean[which] + 1] += bar.lean[1];
   }
 
-  void free_edge_pullback(const Real* parameters, const JointStep& step, const Vec3<Real>* target_bar,
+  // `width_bar` is the adjoint of the other side's cut width from elsewhere.
+  void free_edge_pullback(const Real* parameters, const JointStep& step, const Vec3<Real>* target_bar, Real width_bar,
                           Real* parameters_bar) {
     const SideStep& other = step.side[1 - step.uncut];
     const int base = plan_->patches[other.patch].base_net;
@@ -260,7 +263,8 @@ class Construction {
       nets_bar[next] += reach * target_bar[end];
       nets_bar[at] -= reach * target_bar[end];
     }
-    parameters_bar[other.cut_at] += other.at_upper ? -across * reach_bar : across * reach_bar;
+    width_bar += across * reach_bar;
+    parameters_bar[other.cut_at] += other.at_upper ? -width_bar : width_bar;
   }
 
   // Indices in the arena of the end row of a transition and of the row next to it, point t of the corner's edge.
@@ -329,7 +333,7 @@ class Construction {
   std::vector<CutMatrix<Real>> cuts_;
   std::vector<SeamRows<Real>> seams_before_;
   std::vector<SeamTrace<Real>> seam_traces_;
-  std::vector<PlaneCoordinates<Real>> uncut_;
+  std::vector<UncutTrace<Real>> uncut_;
   std::vector<CornerTrace<Real>> corner_traces_;
 };
 

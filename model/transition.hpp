@@ -89,22 +89,68 @@ void transition_handle_pullback(int n, const TransitionSide<Real>& side, bool le
   bar.stretch += Real(1.0 / 3.0) * side.fullness * reach_bar;
 }
 
+/// The number whose sign decides a branch: the value itself, whatever derivatives it carries.
+inline double branch_value(double value) { return value; }
+template <class Real>
+double branch_value(const Real& value) {
+  if constexpr (requires { value.real(); }) {
+    return value.real();
+  } else {
+    return value.a;
+  }
+}
+
+/// x where it is at least `floor`, else a positive number below it that fades out as x falls: twice continuously
+/// differentiable, increasing, floor / (1 + y + y^2) with y = 1 - x / floor.
+template <class Real>
+Real lifted(const Real& x, const Real& floor) {
+  if (branch_value(x) >= branch_value(floor)) return x;
+  const Real y = Real(1.0) - x / floor;
+  return floor / (Real(1.0) + y + y * y);
+}
+
+/// Pullback of lifted: adds to the adjoints of both arguments.
+template <class Real>
+void lifted_pullback(const Real& x, const Real& floor, const Real& bar, Real& x_bar, Real& floor_bar) {
+  if (branch_value(x) >= branch_value(floor)) {
+    x_bar += bar;
+    return;
+  }
+  const Real y = Real(1.0) - x / floor;
+  const Real factor = Real(1.0) / (Real(1.0) + y + y * y);
+  const Real slope = (Real(1.0) + y + y) * factor * factor;
+  x_bar += slope * bar;
+  floor_bar += (factor - slope * (x / floor)) * bar;
+}
+
+/// An uncut side's handle reaches across by at least this part of what a side cut as wide as its neighbour would.
+inline constexpr double least_uncut_reach = 0.2;
+
+/// What the construction of an uncut side computed on its way, for the pullback.
+template <class Real>
+struct UncutTrace {
+  PlaneCoordinates<Real> solution[2];  ///< (f, beta) at both ends before f is lifted
+};
+
 /// Handle row of a side that is not cut back, one degree higher: edge + (f(s) D + beta(s) A0') / 3 with f and beta
 /// linear, such that at each end the handle follows `target[end]` (the free edge beyond, times the fullness) as
-/// closely as the side's tangent plane allows. Here stretch is across degree / width kept.
-/// `raised_edge` and `handle` get n + 2 points; `solution` keeps (f, beta) at both ends for the pullback.
+/// closely as the side's tangent plane allows. Where the free edge does not lead away from this side, f would not be
+/// positive and the transition would fold: it is lifted to stay positive. Here stretch is across degree / width
+/// kept, and `neighbour_width` the width of the strip cut from the other patch.
+/// `raised_edge` and `handle` get n + 2 points.
 template <class Real>
-void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* target, Vec3<Real>* raised_edge,
-                  Vec3<Real>* handle, PlaneCoordinates<Real>* solution) {
+void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* target, const Real& neighbour_width,
+                  Vec3<Real>* raised_edge, Vec3<Real>* handle, UncutTrace<Real>& trace) {
   Vec3<Real> across[max_patch_degree + 1], along[max_patch_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
   for (int end = 0; end < 2; ++end) {
     const Vec3<Real> aim = side.fullness * target[end];
-    solution[end] = plane_solve(across[end == 0 ? 0 : n], along[end == 0 ? 0 : n - 1], aim);
+    trace.solution[end] = plane_solve(across[end == 0 ? 0 : n], along[end == 0 ? 0 : n - 1], aim);
   }
-  const Real f[2] = {solution[0].p, solution[1].p};
-  const Real beta[2] = {solution[0].q, solution[1].q};
+  const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
+  const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
+  const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
   Vec3<Real> sum[max_patch_degree + 2] = {}, lean[max_patch_degree + 2] = {};
   multiply_add(1, n, f, across, sum);
   multiply_add(1, n - 1, beta, along, lean);
@@ -114,11 +160,12 @@ void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* tar
   for (int j = 0; j <= n + 1; ++j) handle[j] = raised_edge[j] + scaled(1.0 / 3.0, sum[j] + raised_lean[j]);
 }
 
-/// Pullback of uncut_handle: adds to the adjoints of the side and of the two targets.
+/// Pullback of uncut_handle: adds to the adjoints of the side, of the two targets and of the neighbour's width.
 template <class Real>
 void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<Real>* target,
-                           const PlaneCoordinates<Real>* solution, const Vec3<Real>* raised_edge_bar,
-                           const Vec3<Real>* handle_bar, TransitionSide<Real>& bar, Vec3<Real>* target_bar) {
+                           const Real& neighbour_width, const UncutTrace<Real>& trace,
+                           const Vec3<Real>* raised_edge_bar, const Vec3<Real>* handle_bar, TransitionSide<Real>& bar,
+                           Vec3<Real>* target_bar, Real& neighbour_width_bar) {
   Vec3<Real> across[max_patch_degree + 1], along[max_patch_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
@@ -130,8 +177,9 @@ void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<R
   elevate_pullback(n, 1, edge_bar, bar.edge);
   Vec3<Real> lean_bar[max_patch_degree + 2] = {};
   elevate_pullback(n, 1, sum_bar, lean_bar);
-  const Real f[2] = {solution[0].p, solution[1].p};
-  const Real beta[2] = {solution[0].q, solution[1].q};
+  const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
+  const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
+  const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
   Real f_bar[2] = {}, beta_bar[2] = {};
   Vec3<Real> across_bar[max_patch_degree + 1] = {}, along_bar[max_patch_degree + 1] = {};
   multiply_add_pullback(1, n, f, across, sum_bar, f_bar, across_bar);
@@ -139,8 +187,13 @@ void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<R
   for (int end = 0; end < 2; ++end) {
     const int at = end == 0 ? 0 : n, step = end == 0 ? 0 : n - 1;
     Vec3<Real> aim_bar;
-    plane_solve_pullback(across[at], along[step], side.fullness * target[end], solution[end],
-                         PlaneCoordinates<Real>{f_bar[end], beta_bar[end]}, across_bar[at], along_bar[step], aim_bar);
+    PlaneCoordinates<Real> solution_bar{Real(0.0), beta_bar[end]};
+    Real floor_bar{};
+    lifted_pullback(trace.solution[end].p, floor, f_bar[end], solution_bar.p, floor_bar);
+    bar.fullness += Real(least_uncut_reach) * neighbour_width * floor_bar;
+    neighbour_width_bar += Real(least_uncut_reach) * side.fullness * floor_bar;
+    plane_solve_pullback(across[at], along[step], side.fullness * target[end], trace.solution[end], solution_bar,
+                         across_bar[at], along_bar[step], aim_bar);
     bar.fullness += dot(aim_bar, target[end]);
     target_bar[end] += side.fullness * aim_bar;
   }

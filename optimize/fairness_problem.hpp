@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/evaluator.hpp"
+#include "optimize/problem.hpp"
+
+namespace bodyline::optimize {
+
+/// An evaluator's objective as a problem: bounds of the variable map, curve points within a distance of their start.
+class FairnessProblem : public Problem {
+ public:
+  /// `within`: how far each coordinate of a curve point may move, mm, positive.
+  FairnessProblem(model::Evaluator& evaluator, double within);
+
+  Eigen::Index size() const override { return lower_.size(); }
+  const Eigen::VectorXd& lower() const override { return lower_; }
+  const Eigen::VectorXd& upper() const override { return upper_; }
+  const Eigen::VectorXd& scale() const override { return scale_; }
+  double value(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) override;
+
+ private:
+  model::Evaluator* evaluator_;
+  Eigen::VectorXd lower_, upper_, scale_;
+};
+
+}  // namespace bodyline::optimize
