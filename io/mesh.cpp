@@ -1,5 +1,7 @@
 #include "io/mesh.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,14 @@ struct Grid {
   int at(int i, int j) const { return i * (counts[1] + 1) + j; }
   double u(int i) const { return static_cast<double>(i) / counts[0]; }
   double v(int j) const { return static_cast<double>(j) / counts[1]; }
+  std::array<int, 2> position(int k) const { return {k / (counts[1] + 1), k % (counts[1] + 1)}; }
+  Eigen::Vector2d parameters(int k) const { return {u(position(k)[0]), v(position(k)[1])}; }
+  bool on_one_side(int k, int l) const {
+    const auto a = position(k), b = position(l);
+    for (int d : {0, 1})
+      if (a[d] == b[d] && (a[d] == 0 || a[d] == counts[d])) return true;
+    return false;
+  }
 };
 
 /// Points and normals under construction; a point has one normal for every face that is not smooth
@@ -118,18 +128,17 @@ float quality(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::V
   return longest > 0.0f ? (b - a).cross(c - a).norm() / longest : 0.0f;
 }
 
-/// A cell's corners around it, counter-clockwise in the parameters.
-using Cell = std::array<std::array<int, 2>, 4>;
-
-/// Splits a cell along the diagonal that gives the better triangles; one side shrunk to a point
-/// leaves one.
-std::vector<std::array<int, 3>> split(const Mesh& mesh, const Grid& grid, const Cell& cell) {
+/// Splits a cell, given by its corners counter-clockwise in the parameters, along the diagonal that
+/// gives the better triangles; one side shrunk to a point leaves one. The result numbers the cell's
+/// corners.
+std::vector<std::array<int, 3>> split(const Mesh& mesh, const Grid& grid,
+                                      const std::array<int, 4>& cell) {
   std::array<int, 4> p;
-  for (int k = 0; k < 4; ++k) p[k] = grid.point[grid.at(cell[k][0], cell[k][1])];
+  for (int k = 0; k < 4; ++k) p[k] = grid.point[cell[k]];
   for (int k = 0; k < 4; ++k)
     if (p[k] == p[(k + 1) % 4]) return {{k, (k + 2) % 4, (k + 3) % 4}};
   const auto worst = [&](int k) {
-    const auto x = [&](int l) { return mesh.points[p[(k + l) % 4]]; };
+    const auto x = [&](int l) -> const Eigen::Vector3f& { return mesh.points[p[(k + l) % 4]]; };
     return std::min(quality(x(0), x(1), x(2)), quality(x(0), x(2), x(3)));
   };
   if (worst(0) >= worst(1)) return {{0, 1, 2}, {0, 2, 3}};
@@ -150,36 +159,57 @@ double distance_to_face(const Surface& surface, const Eigen::Vector3d& point, Ei
   return std::min(away.norm(), (point - model::jet(surface, uv[0], uv[1], 0).d[0]).norm());
 }
 
-/// Adds a face's triangles; returns the largest distance from the face, at the middles of triangles
-/// and edges.
-double add_triangles(Mesh& mesh, const Surface& surface, const Grid& grid) {
-  double deviation = 0.0;
+/// Triangles as positions in a grid, counter-clockwise seen from outside.
+using GridTriangles = std::vector<std::array<int, 3>>;
+
+GridTriangles triangulate(const Mesh& mesh, const Grid& grid, bool inward) {
+  GridTriangles triangles;
+  triangles.reserve(2 * grid.counts[0] * grid.counts[1]);
   for (int i = 0; i < grid.counts[0]; ++i) {
     for (int j = 0; j < grid.counts[1]; ++j) {
-      const Cell cell{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
-      for (std::array<int, 3> corners : split(mesh, grid, cell)) {
-        if (surface.inward) std::swap(corners[1], corners[2]);
-        std::array<int, 3> points, normals;
-        std::array<Eigen::Vector3d, 3> x;
-        std::array<Eigen::Vector2d, 3> uv;
-        for (int k = 0; k < 3; ++k) {
-          const auto [a, b] = cell[corners[k]];
-          points[k] = grid.point[grid.at(a, b)];
-          normals[k] = grid.normal[grid.at(a, b)];
-          x[k] = mesh.points[points[k]].cast<double>();
-          uv[k] = {grid.u(a), grid.v(b)};
-        }
-        mesh.triangles.push_back(points);
-        mesh.triangle_normals.push_back(normals);
-        deviation = std::max(deviation, distance_to_face(surface, (x[0] + x[1] + x[2]) / 3.0,
-                                                         (uv[0] + uv[1] + uv[2]) / 3.0));
-        for (int k = 0; k < 3; ++k)
-          deviation = std::max(deviation, distance_to_face(surface, 0.5 * (x[k] + x[(k + 1) % 3]),
-                                                           0.5 * (uv[k] + uv[(k + 1) % 3])));
+      const std::array<int, 4> cell{grid.at(i, j), grid.at(i + 1, j), grid.at(i + 1, j + 1),
+                                    grid.at(i, j + 1)};
+      for (std::array<int, 3> corner : split(mesh, grid, cell)) {
+        if (inward) std::swap(corner[1], corner[2]);
+        triangles.push_back({cell[corner[0]], cell[corner[1]], cell[corner[2]]});
       }
     }
   }
+  return triangles;
+}
+
+/// The largest distance of a face's triangles from it, at their centres and at the middles of their
+/// edges.
+double measure_deviation(const Mesh& mesh, const Surface& surface, const Grid& grid,
+                         const GridTriangles& triangles) {
+  double deviation = 0.0;
+  for (const auto& triangle : triangles) {
+    std::array<Eigen::Vector3d, 3> x;
+    std::array<Eigen::Vector2d, 3> uv;
+    for (int k = 0; k < 3; ++k) {
+      x[k] = mesh.points[grid.point[triangle[k]]].cast<double>();
+      uv[k] = grid.parameters(triangle[k]);
+    }
+    deviation = std::max(deviation, distance_to_face(surface, (x[0] + x[1] + x[2]) / 3.0,
+                                                     (uv[0] + uv[1] + uv[2]) / 3.0));
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3;
+      // An edge inside the face comes twice, once in each direction.
+      if (triangle[k] > triangle[l] && !grid.on_one_side(triangle[k], triangle[l])) continue;
+      deviation = std::max(deviation,
+                           distance_to_face(surface, 0.5 * (x[k] + x[l]), 0.5 * (uv[k] + uv[l])));
+    }
+  }
   return deviation;
+}
+
+void add_triangles(Mesh& mesh, const Grid& grid, const GridTriangles& triangles) {
+  for (const auto& triangle : triangles) {
+    mesh.triangles.push_back(
+        {grid.point[triangle[0]], grid.point[triangle[1]], grid.point[triangle[2]]});
+    mesh.triangle_normals.push_back(
+        {grid.normal[triangle[0]], grid.normal[triangle[1]], grid.normal[triangle[2]]});
+  }
 }
 
 /// Meshes with given counts; `deviation` receives each face's.
@@ -187,14 +217,21 @@ Mesh mesh_with_counts(const std::vector<Surface>& surfaces, const SideGraph& gra
                       const std::vector<GridCounts>& counts, std::vector<double>& deviation) {
   Mesh mesh;
   Vertices vertices(mesh);
+  const int faces = static_cast<int>(surfaces.size());
   const auto samples = sample_curves(vertices, surfaces, graph, counts);
+  std::vector<Grid> grids;
+  for (int f = 0; f < faces; ++f)
+    grids.push_back(fill_grid(vertices, surfaces[f], f, graph, counts[f], samples));
+  std::vector<GridTriangles> triangles(surfaces.size());
   deviation.assign(surfaces.size(), 0.0);
-  for (int f = 0; f < static_cast<int>(surfaces.size()); ++f) {
-    const Grid grid = fill_grid(vertices, surfaces[f], f, graph, counts[f], samples);
+  tbb::parallel_for(0, faces, [&](int f) {
+    triangles[f] = triangulate(mesh, grids[f], surfaces[f].inward);
+    deviation[f] = measure_deviation(mesh, surfaces[f], grids[f], triangles[f]);
+  });
+  for (int f = 0; f < faces; ++f) {
     const int first = static_cast<int>(mesh.triangles.size());
-    deviation[f] = add_triangles(mesh, surfaces[f], grid);
-    mesh.parts.push_back(
-        {surfaces[f].name, first, static_cast<int>(mesh.triangles.size()) - first});
+    add_triangles(mesh, grids[f], triangles[f]);
+    mesh.parts.push_back({surfaces[f].name, first, static_cast<int>(triangles[f].size())});
   }
   mesh.max_deviation_mm = *std::max_element(deviation.begin(), deviation.end());
   return mesh;

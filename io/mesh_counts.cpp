@@ -28,8 +28,19 @@ double part_across(const Eigen::Vector3d& vector, const Eigen::Vector3d& tangent
   return length > 0.0 ? vector.cross(tangent).norm() / length : vector.norm();
 }
 
+double extent(const model::Surface& surface) {
+  Eigen::Vector3d low = surface.net.front(), high = low;
+  for (const Eigen::Vector3d& p : surface.net) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm();
+}
+
 Bend measure_bend(const model::Surface& surface) {
   Bend bend;
+  // Next to a side shrunk to a point the first derivatives along it are mere rounding.
+  const double least_speed = 1e-6 * extent(surface);
   for (int i = 0; i < probes; ++i) {
     for (int j = 0; j < probes; ++j) {
       const double u = static_cast<double>(i) / (probes - 1),
@@ -41,8 +52,8 @@ Bend measure_bend(const model::Surface& surface) {
       bend.uu = std::max(bend.uu, uu);
       bend.uv = std::max(bend.uv, uv);
       bend.vv = std::max(bend.vv, vv);
-      if (d[1].norm() > 0.0) bend.turn_u = std::max(bend.turn_u, uu / d[1].norm());
-      if (d[2].norm() > 0.0) bend.turn_v = std::max(bend.turn_v, vv / d[2].norm());
+      if (d[1].norm() > least_speed) bend.turn_u = std::max(bend.turn_u, uu / d[1].norm());
+      if (d[2].norm() > least_speed) bend.turn_v = std::max(bend.turn_v, vv / d[2].norm());
       if (j == 0 || j == probes - 1) bend.side_uu = std::max(bend.side_uu, part_across(d[3], d[1]));
       if (i == 0 || i == probes - 1) bend.side_vv = std::max(bend.side_vv, part_across(d[5], d[2]));
     }
