@@ -29,8 +29,8 @@ int index_of(const std::vector<Item>& items, const std::string& name, const File
   if (index >= 0) return index;
   std::vector<std::string> names;
   for (const Item& item : items) names.push_back(item.name);
-  table.fail(key, "is " + in_quotes(name) + ", but there is no " + kind + " of this name;" +
-                      suggestion(name, names) + " Known are " +
+  table.fail(key, "is " + in_quotes(name) + ", but there is no " + kind + " of this name" +
+                      suggestion(name, names) + "; known are " +
                       (names.empty() ? "none" : listed(names)) + ".");
 }
 

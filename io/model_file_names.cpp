@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -57,7 +58,8 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string suggestion(std::string_view wrong, std::span<const std::string> candidates) {
-  if (wrong.size() > longest_name) return "";
+  constexpr std::size_t shortest_word = 3;
+  if (wrong.size() < shortest_word || wrong.size() > longest_name) return "";
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(1, wrong.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
@@ -67,7 +69,7 @@ std::string suggestion(std::string_view wrong, std::span<const std::string> cand
       best = &candidate;
     }
   }
-  return best == nullptr ? "" : " did you mean " + in_quotes(*best) + "?";
+  return best == nullptr ? "" : " (did you mean " + in_quotes(*best) + "?)";
 }
 
 std::string listed(std::span<const std::string> names) {
@@ -75,13 +77,18 @@ std::string listed(std::span<const std::string> names) {
   for (std::size_t i = 0; i < names.size() && i < most_listed; ++i) {
     result += (i == 0 ? "" : ", ") + names[i];
   }
-  return names.size() > most_listed ? result + ", ..." : result;
+  if (names.size() <= most_listed) return result;
+  return result + " and " + std::to_string(names.size() - most_listed) + " more";
 }
 
 std::string shortest(double value) {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return std::string(buffer.data(), end);
+  char* const first = buffer.data();
+  char* const last = first + buffer.size();
+  constexpr double largest_plain = 1e15;
+  const bool whole = std::abs(value) <= largest_plain && std::floor(value) == value;
+  return {first, whole ? std::to_chars(first, last, value, std::chars_format::fixed).ptr
+                       : std::to_chars(first, last, value).ptr};
 }
 
 }  // namespace bodyline::io

@@ -18,13 +18,14 @@ inline constexpr const char* name_rule =
 /// The text in double quotes on one line: control characters replaced, shortened when long.
 std::string in_quotes(std::string_view text);
 
-/// ` did you mean "..."?` with the most similar candidate, or "" when none is similar.
+/// ` (did you mean "..."?)` with the most similar candidate, or "" when none is similar.
 std::string suggestion(std::string_view wrong, std::span<const std::string> candidates);
 
-/// "a, b, c", at most ten of them.
+/// "a, b, c": the first ten, and how many more there are.
 std::string listed(std::span<const std::string> names);
 
-/// The shortest decimal that reads back as the same double; "nan" and "inf" as such.
+/// The shortest decimal that reads back as the same double, whole numbers without an exponent;
+/// "nan" and "inf" as such.
 std::string shortest(double value);
 
 }  // namespace bodyline::io

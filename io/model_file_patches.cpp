@@ -51,8 +51,8 @@ std::string read_basis(const FileTable& table) {
   const std::string basis = table.text_or("basis", model::Patch{}.basis);
   const std::vector<std::string>& known = model::basis_names();
   if (std::find(known.begin(), known.end(), basis) == known.end()) {
-    table.fail("basis", "is " + in_quotes(basis) + ", but there is no basis of this name;" +
-                            suggestion(basis, known) + " Known are " + listed(known) + ".");
+    table.fail("basis", "is " + in_quotes(basis) + ", but there is no basis of this name" +
+                            suggestion(basis, known) + "; known are " + listed(known) + ".");
   }
   return basis;
 }

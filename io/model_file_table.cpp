@@ -51,8 +51,8 @@ void FileTable::allow_only(std::initializer_list<std::string_view> names,
   const std::vector<std::string> allowed(names.begin(), names.end());
   for (const auto& [name, value] : *table_) {
     if (std::find(names.begin(), names.end(), name.str()) != names.end()) continue;
-    fail(name.str(), "unknown key of " + what + ";" + suggestion(name.str(), allowed) +
-                         " Allowed are " + listed(allowed) + ".");
+    fail(name.str(), "unknown key of " + what + suggestion(name.str(), allowed) + "; allowed are " +
+                         listed(allowed) + ".");
   }
 }
 

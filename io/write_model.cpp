@@ -34,9 +34,9 @@ std::string number_text(double value) {
   }
   std::string text = shortest(value);
   // Digits alone are an integer in TOML: of 64 bits, and without a negative zero.
-  constexpr double largest_integer = 1e15;
   const bool integer = text.find_first_not_of("-0123456789") == std::string::npos;
-  if (integer && (text == "-0" || std::abs(value) > largest_integer)) text += ".0";
+  constexpr std::size_t longest_integer = 18;
+  if (text == "-0" || (integer && text.size() > longest_integer)) text += ".0";
   return text;
 }
 

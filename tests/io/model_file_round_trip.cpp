@@ -101,6 +101,7 @@ TEST(ModelFile, EdgesOfTheDoublesComeBackBitForBit) {
                                    std::nextafter(1.0, 2.0),
                                    1e-7,
                                    1e5,
+                                   1e-300,
                                    999999.99999999988,
                                    1e6};
   for (const double value : values) {
