@@ -171,6 +171,13 @@ double BestSoFar::value_size() const {
   return std::max(std::abs(run_best_.value), negligible_value * start);
 }
 
+double BestSoFar::objective_size() const {
+  double size = value_size();
+  // Where the value passes zero the gradient still has a size.
+  if (run_best_.gradient.size() > 0) size = std::max(size, 1e-6 * run_best_.gradient_norm);
+  return size > 0 ? size : 1.0;
+}
+
 double BestSoFar::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }

@@ -61,6 +61,8 @@ class BestSoFar {
   /// What relative tolerances refer to: the size of the best value, or 1e-12 of the start's when
   /// that is larger.
   double value_size() const;
+  /// What to divide the objective by for libraries with absolute tolerances; positive.
+  double objective_size() const;
   int run_evaluations() const { return run_evaluations_; }
   int evaluations() const { return evaluations_; }
   int unusable_evaluations() const { return unusable_evaluations_; }

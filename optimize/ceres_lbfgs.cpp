@@ -40,7 +40,10 @@ std::vector<Searched> choose(const BestSoFar& best, std::vector<double>& z) {
 class MappedFunction final : public ceres::FirstOrderFunction {
  public:
   MappedFunction(BestSoFar& best, std::vector<Searched> searched)
-      : best_(best), searched_(std::move(searched)), y_(best.run_best().y) {}
+      : best_(best),
+        searched_(std::move(searched)),
+        y_(best.run_best().y),
+        size_(best.objective_size()) {}
 
   bool Evaluate(const double* z, double* cost, double* gradient) const override {
     for (std::size_t k = 0; k < searched_.size(); ++k) {
@@ -48,11 +51,11 @@ class MappedFunction final : public ceres::FirstOrderFunction {
     }
     const std::optional<double> value = best_.value(y_, &gradient_);
     if (!value) return false;
-    *cost = *value;
+    *cost = *value / size_;
     if (gradient == nullptr) return true;
     for (std::size_t k = 0; k < searched_.size(); ++k) {
       const auto& [index, map] = searched_[k];
-      gradient[k] = gradient_[index] * map.inside_derivative(z[k]);
+      gradient[k] = gradient_[index] * map.inside_derivative(z[k]) / size_;
     }
     return true;
   }
@@ -63,6 +66,7 @@ class MappedFunction final : public ceres::FirstOrderFunction {
   BestSoFar& best_;
   std::vector<Searched> searched_;
   mutable Eigen::VectorXd y_, gradient_;
+  double size_;  // of the objective: Ceres skips updates that are small in absolute terms
 };
 
 }  // namespace
@@ -76,6 +80,9 @@ void run_ceres_lbfgs(BestSoFar& best) {
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;
   options.line_search_type = ceres::WOLFE;
+  // Without it Ceres starts each direction from an unscaled gradient and takes many times the
+  // evaluations.
+  options.use_approximate_eigenvalue_bfgs_scaling = true;
   options.max_num_iterations = std::numeric_limits<int>::max();
   options.function_tolerance = best.options().relative_improvement;
   options.gradient_tolerance = 0.0;  // judged by BestSoFar

@@ -1,6 +1,7 @@
 #include "optimize/ceres_lm.hpp"
 
 #include <ceres/cost_function.h>
+#include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
@@ -9,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "optimize/ceres_stop.hpp"
 #include "optimize/movable_variables.hpp"
 
 namespace bodyline::optimize {
@@ -57,6 +57,29 @@ class ScaledResiduals final : public ceres::CostFunction {
   mutable Eigen::MatrixXd jacobian_;
 };
 
+/// Ends a solve when the stage is over or one of the variables it moves has come to be held by a
+/// bound.
+class HeldStop final : public ceres::IterationCallback {
+ public:
+  HeldStop(const BestSoFar& best, std::size_t moved) : best_(best), moved_(moved) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (best_.stage_over()) return ceres::SOLVER_ABORT;
+    if (!summary.step_is_successful || best_.run_best().gradient.size() == 0) {
+      return ceres::SOLVER_CONTINUE;
+    }
+    held_ = movable_variables(best_).size() < moved_;
+    return held_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+  bool held() const { return held_; }
+
+ private:
+  const BestSoFar& best_;
+  std::size_t moved_;
+  bool held_ = false;
+};
+
 ceres::Solver::Options solver_options(const BestSoFar& best, std::size_t variables) {
   ceres::Solver::Options options;
   options.linear_solver_type =
@@ -73,9 +96,9 @@ ceres::Solver::Options solver_options(const BestSoFar& best, std::size_t variabl
 
 }  // namespace
 
-void run_ceres_lm(BestSoFar& best) {
+bool run_ceres_lm(BestSoFar& best) {
   const std::vector<Eigen::Index> movable = movable_variables(best);
-  if (movable.empty()) return;
+  if (movable.empty()) return false;
   Eigen::VectorXd y = best.run_best().y(movable);
   ceres::Problem problem;
   problem.AddResidualBlock(new ScaledResiduals(best, movable), nullptr, y.data());
@@ -86,12 +109,13 @@ void run_ceres_lm(BestSoFar& best) {
     if (std::isfinite(lower)) problem.SetParameterLowerBound(y.data(), index, lower);
     if (std::isfinite(upper)) problem.SetParameterUpperBound(y.data(), index, upper);
   }
-  CeresStop stop(best);
+  HeldStop stop(best, movable.size());
   ceres::Solver::Options options = solver_options(best, movable.size());
   options.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   best.rethrow();
+  return stop.held();
 }
 
 }  // namespace bodyline::optimize

@@ -50,14 +50,6 @@ struct Call {
   Eigen::VectorXd y, gradient;
 };
 
-/// A size of the objective that does not vanish.
-double objective_size(const BestSoFar& best) {
-  const Point& point = best.run_best();
-  double size = best.value_size();
-  if (point.gradient.size() > 0) size = std::max(size, 1e-6 * point.gradient_norm);
-  return size > 0 ? size : 1.0;
-}
-
 /// Value, and gradient when asked for, of a paraboloid with its lowest point at the best, as high
 /// as the best there and `bowl_height` sizes higher at y.
 double bowl(const Call& call, double* gradient) {
@@ -127,7 +119,7 @@ bool run_nlopt(BestSoFar& best, Algorithm algorithm, unsigned seed) {
   const auto n = static_cast<unsigned>(best.problem().size());
   const Optimizer optimizer(nlopt_create(nlopt_name(algorithm), n), nlopt_destroy);
   if (optimizer == nullptr) throw std::bad_alloc();
-  Call call{best, optimizer.get(), objective_size(best), {}, {}};
+  Call call{best, optimizer.get(), best.objective_size(), {}, {}};
   set_up(optimizer.get(), call, algorithm);
   nlopt_srand(seed);
   Eigen::VectorXd y = best.run_best().y;

@@ -15,16 +15,17 @@ constexpr int simplex_stall = 20;   // evaluations per variable
 constexpr int polish_evaluations = 30;
 constexpr double global_share = 0.75;
 
-void run_gradient_library(BestSoFar& best, unsigned seed) {
+/// Returns whether the library has more to do, however little it gained.
+bool run_gradient_library(BestSoFar& best, unsigned seed) {
   best.start_stage(gradient_stall, 0);
-  switch (best.options().algorithm) {
-    case Algorithm::ceres_lbfgs:
-      return run_ceres_lbfgs(best);
-    case Algorithm::ceres_lm:
-      return run_ceres_lm(best);
-    default:
-      run_nlopt(best, best.options().algorithm, seed);
+  const Algorithm algorithm = best.options().algorithm;
+  if (algorithm == Algorithm::ceres_lm) return run_ceres_lm(best);
+  if (algorithm == Algorithm::ceres_lbfgs) {
+    run_ceres_lbfgs(best);
+  } else {
+    run_nlopt(best, algorithm, seed);
   }
+  return false;
 }
 
 Descent polish_stage(BestSoFar& best) {
@@ -53,8 +54,9 @@ Status gradient_search(BestSoFar& best, unsigned seed) {
   while (!best.run_status()) {
     if (!know_gradient(best)) break;
     const double before = best.run_best().value;
-    run_gradient_library(best, seed);
+    const bool unfinished = run_gradient_library(best, seed);
     if (best.run_status() || gained(best, before)) continue;
+    if (unfinished && best.run_best().value < before) continue;
     if (!know_gradient(best)) break;
     const Descent descent = polish_stage(best);
     if (best.run_status() || gained(best, before)) continue;
