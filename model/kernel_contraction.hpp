@@ -11,7 +11,7 @@ constexpr int most_points = 13;  ///< control points per direction
 
 /// Derivatives at `lanes` nodes; a kernel touches only those up to its order.
 struct Jet {
-  Vector point, u, v, uu, uv, vv, uuu, uuv, uvv, vvv;
+  Vector u, v, uu, uv, vv, uuu, uuv, uvv, vvv;
 };
 
 /// Calls visit(jet_index, derivative) for the derivatives of order 1 to `Order`.
@@ -81,18 +81,17 @@ template <int Order>
 BODYLINE_INLINE void start_jet(const FaceRule& rule, const double* blend, int kv, int ku,
                                Jet& jet) {
   if (rule.blend == nullptr) {
-    jet.point = Vector{};
     for_each_derivative<Order>(jet, [](int, Vector& d) { d = Vector{}; });
   } else {
     const Vector coefficient = broadcast_vector(blend);
-    jet.point = blend_table(rule, 0, kv, ku) * coefficient;
     for_each_derivative<Order>(
         jet, [&](int q, Vector& d) { d = blend_table(rule, q, kv, ku) * coefficient; });
   }
 }
 
-/// The jet at node kv of the rows' nodes ku ..; the point itself only where asked for.
-template <int Order, bool with_point = false>
+/// The derivatives at node kv of the rows' nodes ku ..; the point itself, which no energy needs, is
+/// left out.
+template <int Order>
 BODYLINE_INLINE Jet contract_v(const FaceRule& rule, const Rows<Order>& rows, const double* blend,
                                int kv, int ku) {
   Jet jet;
@@ -103,7 +102,6 @@ BODYLINE_INLINE Jet contract_v(const FaceRule& rule, const Rows<Order>& rows, co
   for (int j = 0; j <= rule.degree_v; ++j, basis += rule.nodes, row += Rows<Order>::stride) {
     const Lanes b0 = held(broadcast(basis[0])), b1 = held(broadcast(basis[order_stride]));
     const Vector d0 = held(load_vector(row)), d1 = held(load_vector(row + 3));
-    if constexpr (with_point) accumulate(jet.point, b0, d0);
     accumulate(jet.v, b1, d0);
     accumulate(jet.u, b0, d1);
     if constexpr (Order >= 2) {

@@ -110,16 +110,17 @@ inline double fold_pullback(const FaceRule& rule, const double* net, const doubl
   for (int ku = 0; ku < rule.nodes; ku += lanes) {
     contract_u<1>(rule, ku, net, rows);
     const Lanes weight_u = load(rule.weights_u + ku);
-    chunk_pullback<1>(rule, rows, blend, ku, adjoint, [&](int kv, const Jet& jet, Jet& bar) {
-      const UnitNormal normal = unit_normal(jet);
-      const Lanes cosine = dot(normal.direction, direction);
-      const Lanes part = excess(options, cosine);
-      const Lanes scale = slope * (part * part) * normal.reciprocal_length;
-      const Vector normal_bar = scale * (direction - cosine * normal.direction) +
-                                (rule.weights_v[kv] * weight_u) * area_bar;
-      bar.u = cross(jet.v, normal_bar);
-      bar.v = cross(normal_bar, jet.u);
-    });
+    chunk_pullback<1>(rule, rows, blend, ku, adjoint,
+                      [&](int kv, const Jet& jet, Jet& bar) BODYLINE_INLINED {
+                        const UnitNormal normal = unit_normal(jet);
+                        const Lanes cosine = dot(normal.direction, direction);
+                        const Lanes part = excess(options, cosine);
+                        const Lanes scale = slope * (part * part) * normal.reciprocal_length;
+                        const Vector normal_bar = scale * (direction - cosine * normal.direction) +
+                                                  (rule.weights_v[kv] * weight_u) * area_bar;
+                        bar.u = cross(jet.v, normal_bar);
+                        bar.v = cross(normal_bar, jet.u);
+                      });
   }
   finish_pullback(rule, adjoint, net_bar, blend_bar);
   return total.value / (rule.nodes * rule.nodes);

@@ -81,10 +81,11 @@ double integral_pullback(const FaceRule& rule, const double* net, const double* 
   for (int ku = 0; ku < rule.nodes; ku += lanes) {
     contract_u<order>(rule, ku, net, rows);
     const Lanes weight_u = load(rule.weights_u + ku);
-    chunk_pullback<order>(rule, rows, blend, ku, adjoint, [&](int kv, const Jet& jet, Jet& bar) {
-      const Lanes weight = rule.weights_v[kv] * weight_u;
-      total += weight * Density::pullback(jet, seed * weight, bar);
-    });
+    chunk_pullback<order>(rule, rows, blend, ku, adjoint,
+                          [&](int kv, const Jet& jet, Jet& bar) BODYLINE_INLINED {
+                            const Lanes weight = rule.weights_v[kv] * weight_u;
+                            total += weight * Density::pullback(jet, seed * weight, bar);
+                          });
   }
   finish_pullback(rule, adjoint, net_bar, blend_bar);
   return sum(total);

@@ -11,7 +11,8 @@
 /// always inlined.
 namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
 
-#define BODYLINE_INLINE __attribute__((always_inline)) static inline
+#define BODYLINE_INLINED __attribute__((always_inline))  // for lambdas
+#define BODYLINE_INLINE BODYLINE_INLINED static inline
 
 #if defined(__AVX512F__)
 constexpr int lanes = 8;
@@ -36,13 +37,12 @@ BODYLINE_INLINE void store(double* p, Lanes x) { __builtin_memcpy(p, &x, sizeof 
 
 BODYLINE_INLINE Lanes broadcast(double x) { return x - Lanes{}; }
 
-/// Holds a value that is used several times in a register. Otherwise GCC makes its load a part of every use, and the
-/// loads, one a cycle, become the bottleneck.
+/// Holds a value that is used several times in a register. Otherwise GCC makes its load a part of
+/// every use, and 512-bit loads, one a cycle, become the bottleneck. Narrower sets have more loads
+/// than registers to spare.
 BODYLINE_INLINE Lanes held(Lanes x) {
 #if defined(__AVX512F__)
   asm("" : "+v"(x));
-#elif defined(__SSE2__)
-  asm("" : "+x"(x));
 #endif
   return x;
 }

@@ -8,7 +8,8 @@ namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
 /// Nodes along v that are written together: as many as leave room in the registers.
 constexpr int group = lanes == 8 ? 8 : 4;
 
-/// Derivative (a, b) = jet entry q at the nodes (ku .., kv .. kv + group - 1), all three coordinates, `plane` apart.
+/// Derivative (a, b) = jet entry q at the nodes (ku .., kv .. kv + group - 1), all three
+/// coordinates, `plane` apart.
 template <int Order, int a, int b>
 BODYLINE_INLINE void write_entry(const FaceRule& rule, const Rows<Order>& rows, const double* blend,
                                  int kv, int ku, double* out) {
