@@ -248,6 +248,7 @@ Evaluator& Evaluator::operator=(Evaluator&&) noexcept = default;
 int Evaluator::size() const { return int(state_->selected.size()); }
 const std::vector<int>& Evaluator::selected() const { return state_->selected; }
 const BodyContext& Evaluator::context() const { return *state_->context; }
+std::shared_ptr<const BodyContext> Evaluator::shared_context() const { return state_->context; }
 const EvaluatorOptions& Evaluator::options() const { return state_->options; }
 const std::vector<double>& Evaluator::term_values() const { return state_->term_values; }
 const Eigen::VectorXd& Evaluator::parameters() const { return state_->parameters; }

@@ -42,6 +42,7 @@ class Evaluator {
   int size() const;                       ///< number of selected variables
   const std::vector<int>& selected() const;
   const BodyContext& context() const;
+  std::shared_ptr<const BodyContext> shared_context() const;
   const EvaluatorOptions& options() const;
   Eigen::VectorXd start() const;          ///< the model's own values of the selected variables
 

@@ -36,4 +36,10 @@ double FairnessProblem::value(const Eigen::VectorXd& x, Eigen::VectorXd* gradien
   return evaluator_->evaluate(x, gradient);
 }
 
+void FairnessProblem::use_residuals() { residuals_ = std::make_unique<EnergyResiduals>(*evaluator_); }
+
+void FairnessProblem::residuals(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
+  residuals_->evaluate(x, r, jacobian);
+}
+
 }  // namespace bodyline::optimize

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/evaluator.hpp"
+#include "optimize/energy_residuals.hpp"
 #include "optimize/problem.hpp"
 
 namespace bodyline::optimize {
@@ -20,9 +21,16 @@ class FairnessProblem : public Problem {
   const Eigen::VectorXd& scale() const override { return scale_; }
   double value(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) override;
 
+  /// Prepares the least-squares form. Throws std::invalid_argument when a weight is negative.
+  void use_residuals();
+  bool has_residuals() const override { return residuals_ != nullptr; }
+  Eigen::Index residual_count() const override { return residuals_ ? residuals_->count() : 0; }
+  void residuals(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) override;
+
  private:
   model::Evaluator* evaluator_;
   Eigen::VectorXd lower_, upper_, scale_;
+  std::unique_ptr<EnergyResiduals> residuals_;
 };
 
 }  // namespace bodyline::optimize

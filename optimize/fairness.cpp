@@ -1,0 +1,207 @@
+#include "optimize/fairness.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+
+#include "optimize/fairness_problem.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+// How often a run is repeated with a stronger barrier while a face still folds.
+constexpr int barrier_rounds = 3;
+constexpr double barrier_growth = 10.0;
+// The barrier counts as inactive below this value (a sum over faces of means of cubes).
+constexpr double inactive_barrier = 1e-12;
+
+bool on_faces(const model::Term& term) {
+  return term.kind != model::TermKind::closeness && term.kind != model::TermKind::fold;
+}
+
+// One barrier for every selection of faces that an objective names, and for the whole patches below a body's.
+std::vector<model::Term> with_barriers(std::vector<model::Term> terms, double weight) {
+  if (weight <= 0.0) return terms;
+  std::vector<model::Term> barriers;
+  const auto add = [&](model::Stage stage, const std::vector<std::string>& faces) {
+    for (const model::Term& known : barriers) {
+      if (known.stage == stage && (known.faces == faces || known.faces.empty())) return;
+    }
+    barriers.push_back({model::TermKind::fold, weight, stage, faces});
+  };
+  for (const model::Term& term : terms) {
+    if (!on_faces(term)) continue;
+    add(term.stage, term.faces);
+    if (term.stage != model::Stage::base && term.faces.empty()) add(model::Stage::base, {});
+  }
+  terms.insert(terms.end(), barriers.begin(), barriers.end());
+  return terms;
+}
+
+std::vector<int> select_variables(const model::VariableMap& map, const FairOptions& options) {
+  std::vector<int> selected = map.select(options.vary);
+  if (!options.hold.empty()) {
+    const std::vector<int> held = map.select(options.hold);
+    std::erase_if(selected, [&](int v) { return std::binary_search(held.begin(), held.end(), v); });
+  }
+  if (selected.empty()) throw std::invalid_argument("every chosen variable is held; nothing is left to vary");
+  return selected;
+}
+
+class Tuner {
+ public:
+  Tuner(const model::Model& model, const FairOptions& options)
+      : options_(options),
+        context_(std::make_shared<model::BodyContext>(model, options.bounds)),
+        selected_(select_variables(context_->map, options)),
+        terms_(with_barriers(options.terms, options.fold_weight)),
+        begin_(std::chrono::steady_clock::now()) {
+    if (!(options.within > 0.0)) throw std::invalid_argument("the distance that curves may move must be positive");
+  }
+
+  FairResult run(const model::Model& model);
+
+ private:
+  model::Evaluator evaluator(const std::vector<model::Term>& terms, int nodes) const {
+    model::EvaluatorOptions options;
+    options.terms = terms;
+    options.nodes = nodes;
+    options.threads = options_.threads;
+    return model::Evaluator(context_, selected_, options);
+  }
+
+  Measured measure(const Eigen::VectorXd& x) const {
+    model::Evaluator fine = evaluator(terms_, options_.report_nodes);
+    Measured measured;
+    measured.value = fine.evaluate(x, nullptr);
+    measured.terms = fine.term_values();
+    return measured;
+  }
+
+  double barrier(const Measured& measured) const {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      if (terms_[t].kind == model::TermKind::fold) sum += measured.terms[t];
+    }
+    return sum;
+  }
+
+  Eigen::VectorXd unfold(const Eigen::VectorXd& x, FairResult& result) const;
+  Eigen::VectorXd search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x, FairResult& result) const;
+  std::vector<std::string> folded_faces(const Eigen::VectorXd& x) const;
+
+  FairOptions options_;
+  std::shared_ptr<model::BodyContext> context_;
+  std::vector<int> selected_;
+  std::vector<model::Term> terms_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+Eigen::VectorXd Tuner::search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x,
+                              FairResult& result) const {
+  model::Evaluator coarse = evaluator(terms, options_.nodes);
+  FairnessProblem problem(coarse, options_.within);
+  if (options_.search.algorithm == Algorithm::ceres_lm) problem.use_residuals();
+  Options search = options_.search;
+  // Evaluations and time run on from phase to phase.
+  const int before = result.evaluations;
+  const double seconds_before = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  search.on_progress = [&, seconds_before](const Progress& progress) {
+    Progress shifted = progress;
+    shifted.evaluation += before;
+    shifted.seconds += seconds_before;
+    result.history.push_back(shifted);
+    if (options_.search.on_progress) options_.search.on_progress(shifted);
+  };
+  const Result found = minimize(problem, x, search);
+  result.status = found.status;
+  result.evaluations += found.evaluations;
+  result.gradient_norm = found.gradient_norm;
+  return found.x;
+}
+
+// Only the barriers, which stay smooth where the energies do not.
+Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) const {
+  std::vector<model::Term> barriers;
+  std::copy_if(terms_.begin(), terms_.end(), std::back_inserter(barriers),
+               [](const model::Term& term) { return term.kind == model::TermKind::fold; });
+  if (barriers.empty()) return x;
+  model::Evaluator fine = evaluator(barriers, options_.nodes);
+  if (fine.evaluate(x, nullptr) <= inactive_barrier) return x;
+  FairResult unreported;
+  unreported.evaluations = result.evaluations;
+  Tuner quiet = *this;
+  quiet.options_.search.on_progress = {};
+  if (is_global(quiet.options_.search.algorithm) || !uses_gradient(quiet.options_.search.algorithm) ||
+      quiet.options_.search.algorithm == Algorithm::ceres_lm) {
+    quiet.options_.search.algorithm = Algorithm::nlopt_lbfgs;
+  }
+  const Eigen::VectorXd unfolded = quiet.search(barriers, x, unreported);
+  result.evaluations = unreported.evaluations;
+  return unfolded;
+}
+
+std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
+  std::vector<std::string> names;
+  for (const model::Term& term : terms_) {
+    if (term.kind != model::TermKind::fold) continue;
+    for (const model::Face& face : context_->plan.faces(term.stage)) {
+      const bool chosen = term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
+                            return model::name_matches(p, face.name);
+                          });
+      if (!chosen) continue;
+      model::Evaluator one = evaluator({{model::TermKind::fold, 1.0, term.stage, {face.name}}}, options_.report_nodes);
+      if (one.evaluate(x, nullptr) > inactive_barrier) {
+        names.push_back(face.name + (term.stage == model::Stage::base ? " (whole patch)" : ""));
+      }
+    }
+  }
+  return names;
+}
+
+FairResult Tuner::run(const model::Model& model) {
+  FairResult result;
+  const Eigen::VectorXd given = context_->map.gather(selected_, context_->parameters);
+  result.terms = terms_;
+  result.start = measure(given);
+  {
+    model::Evaluator any = evaluator(terms_, options_.nodes);
+    const FairnessProblem problem(any, options_.within);
+    result.lower = problem.lower();
+    result.upper = problem.upper();
+  }
+  Eigen::VectorXd x = given.cwiseMax(result.lower).cwiseMin(result.upper);
+  x = unfold(x, result);
+  std::vector<model::Term> terms = terms_;
+  for (int round = 0; round < barrier_rounds; ++round) {
+    x = search(terms, x, result);
+    result.end = measure(x);
+    if (barrier(result.end) <= inactive_barrier || result.status == Status::interrupted) break;
+    for (model::Term& term : terms) {
+      if (term.kind == model::TermKind::fold) term.weight *= barrier_growth;
+    }
+  }
+  if (!(result.end.value <= result.start.value)) {
+    // The search may have started elsewhere: bounds narrower than the given model's values.
+    x = given;
+    result.end = result.start;
+    if (result.status != Status::interrupted) result.status = Status::no_progress;
+  }
+  result.folded_faces = folded_faces(x);
+  for (int v : selected_) result.variables.push_back(context_->map.variables()[v].name);
+  result.start_values = given;
+  result.end_values = x;
+  result.model = model;
+  Eigen::VectorXd parameters = context_->parameters;
+  context_->map.scatter(selected_, x, parameters);
+  model::set_parameters(result.model, context_->plan.layout, parameters);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  return result;
+}
+
+}  // namespace
+
+FairResult fair(const model::Model& model, const FairOptions& options) { return Tuner(model, options).run(model); }
+
+}  // namespace bodyline::optimize
