@@ -99,8 +99,7 @@ TEST(PullbackSeed, ScalesWhatIsAdded) {
       const auto scaled = energy_pullback(model::kernels(isa), face, energy, -2.5);
       EXPECT_EQ(scaled.first, once.first);
       for (std::size_t k = 0; k < once.second.size(); ++k) {
-        EXPECT_NEAR(scaled.second[k], -2.5 * once.second[k],
-                    relative * std::abs(once.second[k]));
+        EXPECT_NEAR(scaled.second[k], -2.5 * once.second[k], relative * std::abs(once.second[k]));
       }
     }
   }
