@@ -13,8 +13,6 @@ namespace {
 // How often a run is repeated with a stronger barrier while a face still folds.
 constexpr int barrier_rounds = 3;
 constexpr double barrier_growth = 10.0;
-// The barrier counts as inactive below this value (a sum over faces of means of cubes).
-constexpr double inactive_barrier = 1e-12;
 
 bool on_faces(const model::Term& term) {
   return term.kind != model::TermKind::closeness && term.kind != model::TermKind::fold;
@@ -63,8 +61,10 @@ class Tuner {
   FairResult run(const model::Model& model);
 
  private:
-  model::Evaluator evaluator(const std::vector<model::Term>& terms, int nodes) const {
+  model::Evaluator evaluator(const std::vector<model::Term>& terms, int nodes,
+                             const model::FoldOptions& fold = {}) const {
     model::EvaluatorOptions options;
+    options.fold = fold;
     options.terms = terms;
     options.nodes = nodes;
     options.threads = options_.threads;
@@ -77,14 +77,6 @@ class Tuner {
     measured.value = fine.evaluate(x, nullptr);
     measured.terms = fine.term_values();
     return measured;
-  }
-
-  double barrier(const Measured& measured) const {
-    double sum = 0.0;
-    for (std::size_t t = 0; t < terms_.size(); ++t) {
-      if (terms_[t].kind == model::TermKind::fold) sum += measured.terms[t];
-    }
-    return sum;
   }
 
   Eigen::VectorXd unfold(const Eigen::VectorXd& x, FairResult& result) const;
@@ -128,7 +120,7 @@ Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) cons
                [](const model::Term& term) { return term.kind == model::TermKind::fold; });
   if (barriers.empty()) return x;
   model::Evaluator fine = evaluator(barriers, options_.nodes);
-  if (fine.evaluate(x, nullptr) <= inactive_barrier) return x;
+  if (fine.evaluate(x, nullptr) == 0.0) return x;
   FairResult unreported;
   unreported.evaluations = result.evaluations;
   Tuner quiet = *this;
@@ -142,7 +134,9 @@ Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) cons
   return unfolded;
 }
 
+// Faces on which a normal turns by more than 90 degrees against the face's mean normal.
 std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
+  const model::FoldOptions right_angle{0.0};
   std::vector<std::string> names;
   for (const model::Term& term : terms_) {
     if (term.kind != model::TermKind::fold) continue;
@@ -151,8 +145,9 @@ std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
                             return model::name_matches(p, face.name);
                           });
       if (!chosen) continue;
-      model::Evaluator one = evaluator({{model::TermKind::fold, 1.0, term.stage, {face.name}}}, options_.report_nodes);
-      if (one.evaluate(x, nullptr) > inactive_barrier) {
+      model::Evaluator one = evaluator({{model::TermKind::fold, 1.0, term.stage, {face.name}}}, options_.report_nodes,
+                                       right_angle);
+      if (one.evaluate(x, nullptr) > 0.0) {
         names.push_back(face.name + (term.stage == model::Stage::base ? " (whole patch)" : ""));
       }
     }
@@ -176,19 +171,20 @@ FairResult Tuner::run(const model::Model& model) {
   std::vector<model::Term> terms = terms_;
   for (int round = 0; round < barrier_rounds; ++round) {
     x = search(terms, x, result);
-    result.end = measure(x);
-    if (barrier(result.end) <= inactive_barrier || result.status == Status::interrupted) break;
+    result.folded_faces = folded_faces(x);
+    if (result.folded_faces.empty() || result.status == Status::interrupted) break;
     for (model::Term& term : terms) {
       if (term.kind == model::TermKind::fold) term.weight *= barrier_growth;
     }
   }
+  result.end = measure(x);
   if (!(result.end.value <= result.start.value)) {
     // The search may have started elsewhere: bounds narrower than the given model's values.
     x = given;
     result.end = result.start;
+    result.folded_faces = folded_faces(x);
     if (result.status != Status::interrupted) result.status = Status::no_progress;
   }
-  result.folded_faces = folded_faces(x);
   for (int v : selected_) result.variables.push_back(context_->map.variables()[v].name);
   result.start_values = given;
   result.end_values = x;

@@ -41,7 +41,7 @@ struct FairResult {
   double seconds = 0.0;
   double gradient_norm = 0.0;
   std::vector<Progress> history;
-  std::vector<std::string> folded_faces;  ///< faces on which the barrier is still active
+  std::vector<std::string> folded_faces;  ///< faces that still fold; " (whole patch)" marks patches before their cut
 };
 
 /// Tunes the chosen variables of a model until the weighted terms are as small as they get. A body that starts folded

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "optimize/projected_gradient.hpp"
@@ -53,7 +52,7 @@ Descent polish(BestSoFar& best) {
   const ScaledProblem& problem = best.problem();
   const Eigen::VectorXd downhill =
       -projected_gradient(from.y, from.gradient, problem.lower(), problem.upper());
-  const double smallest = noise * std::abs(from.value);
+  const double smallest = noise * best.value_size();
   double rise = 0, rise_before = 0;
   bool tried = false, seen = false;
   Eigen::VectorXd gradient;

@@ -85,6 +85,12 @@ void ScaledProblem::residuals(const Eigen::VectorXd& y, Eigen::VectorXd& r,
     problem_.residuals(expanded(y), r, nullptr);
     return;
   }
+  if (size() == problem_.size()) {
+    jacobian->resize(problem_.residual_count(), size());
+    problem_.residuals(expanded(y), r, jacobian);
+    *jacobian *= unit_.asDiagonal();
+    return;
+  }
   full_jacobian_.resize(problem_.residual_count(), problem_.size());
   problem_.residuals(expanded(y), r, &full_jacobian_);
   jacobian->resize(problem_.residual_count(), size());
