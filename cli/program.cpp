@@ -1,0 +1,99 @@
+#include "cli/program.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+
+#include "cli/evaluate_command.hpp"
+#include "cli/set_command.hpp"
+#include "cli/variables_command.hpp"
+#include "model/connect.hpp"
+#include "model/suggest.hpp"
+
+namespace bodyline::cli {
+namespace {
+
+void add_commands(CLI::App& program, Context& context) {
+  add_variables_command(program, context);
+  add_set_command(program, context);
+  add_evaluate_command(program, context);
+}
+
+int fail(Context& context, const std::string& sentence) {
+  *context.err << "bodyline: " << sentence << (sentence.ends_with('.') ? "\n" : ".\n");
+  return exit_unusable;
+}
+
+// The first word that is not an option: the command as the user wrote it.
+std::string command_word(int argc, const char* const* argv) {
+  for (int k = 1; k < argc; ++k) {
+    if (argv[k][0] != '-') return argv[k];
+  }
+  return "";
+}
+
+std::string without_line_ends(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+// What is wrong with the command line, as one sentence.
+std::string usage_sentence(const CLI::App& program, const CLI::ParseError& error, int argc,
+                           const char* const* argv) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  if (!chosen.empty()) {
+    const std::string name = chosen.front()->get_name();
+    return fmt::format("{}: {} ('bodyline {} --help' explains)", name,
+                       without_line_ends(error.what()), name);
+  }
+  const std::string word = command_word(argc, argv);
+  if (word.empty() && argc < 2) return "give a command; 'bodyline --help' lists them";
+  if (word.empty()) return without_line_ends(error.what());
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    names.push_back(command->get_name());
+  }
+  return fmt::format("'{}' is not a command; the nearest is '{}' ('bodyline --help' lists them)",
+                     word, model::nearest_name(word, names));
+}
+
+// Runs the chosen command as a callback of the parser.
+int parse_and_run(CLI::App& program, int argc, const char* const* argv, Context& context) {
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help and --version
+    return program.exit(request, *context.out, *context.err);
+  } catch (const CLI::ParseError& error) {
+    return fail(context, usage_sentence(program, error, argc, argv));
+  }
+  context.out->flush();
+  if (!*context.out) return fail(context, "the output cannot be written");
+  return context.exit_code;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv, Context& context) {
+  CLI::App program("Bodyline: smooth car bodies from boundary curves.", "bodyline");
+  program.set_version_flag("--version", "bodyline " BODYLINE_VERSION);
+  program.add_flag("--quiet", context.quiet, "Neither progress nor warnings");
+  program.require_subcommand(1);
+  program.footer("\n'bodyline COMMAND --help' explains a command, with an example.");
+  add_commands(program, context);
+  try {
+    return parse_and_run(program, argc, argv, context);
+  } catch (const model::ModelError& error) {
+    return fail(context, error.key() + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(context, "there is not enough memory");
+  } catch (const std::exception& error) {
+    return fail(context, without_line_ends(error.what()));
+  } catch (...) {
+    return fail(context, "something unexpected went wrong");
+  }
+}
+
+}  // namespace bodyline::cli
