@@ -1,5 +1,7 @@
 #include "io/model_file_text.hpp"
 
+#include <algorithm>
+
 #include "io/input_error.hpp"
 
 namespace bodyline::io {
@@ -23,7 +25,7 @@ class TextCheck {
       if (c == '#') {
         skip_comment();
       } else if (c == '"' || c == '\'') {
-        skip_string(c);
+        check_string(c);
       } else {
         check_outside_strings(c);
       }
@@ -56,6 +58,12 @@ class TextCheck {
       fail("brackets are nested more than " + std::to_string(deepest_nesting) +
            " deep; a model file needs no more than 2.");
     }
+    // What ends a value for the parser; it looks ahead to there, quotes or not.
+    if (is_white_space(c) || c == ',' || c == ']' || c == '}') {
+      within_word_ = false;
+    } else if (c != '[' && c != '{') {
+      within_word_ = true;
+    }
     if (c == '.') ++dots_;
     if (std::string_view("=,\n[]{}").find(c) != std::string_view::npos) dots_ = 0;
     if (dots_ > longest_dotted_key) {
@@ -66,6 +74,18 @@ class TextCheck {
 
   void skip_comment() {
     while (!at_end() && text_[position_] != '\n') take();
+  }
+
+  void check_string(char quote) {
+    const std::size_t start = position_;
+    skip_string(quote);
+    const std::string_view string = text_.substr(start, position_ - start);
+    if (within_word_ && std::any_of(string.begin(), string.end(), is_beyond_ascii)) {
+      fail(
+          "holds a character outside ASCII in quotes that follow other characters; put a space "
+          "before them.");
+    }
+    within_word_ = true;
   }
 
   void skip_string(char quote) {
@@ -109,6 +129,7 @@ class TextCheck {
   int line_ = 1;
   int nesting_ = 0;
   int dots_ = 0;
+  bool within_word_ = false;
 };
 
 }  // namespace

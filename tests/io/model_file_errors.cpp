@@ -30,6 +30,12 @@ const std::string hood_joint = "[joints.hood__windshield]\n";
 std::vector<Mistake> toml_mistakes() {
   return {
       {"letter_outside_quotes", hood, "central", "zentr\xc3\xa4l", "", {"ASCII", "quotes"}},
+      {"quotes_within_word",
+       "",
+       "name = \"model1\"",
+       "name = 1\"\xc3\xa4\"",
+       "",
+       {"ASCII", "space before"}},
       {"continued_beyond_ascii",
        "",
        "note = \"\"\"\n",
