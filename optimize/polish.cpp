@@ -66,7 +66,7 @@ Descent polish(BestSoFar& best) {
     if (improved && !(value && *value <= best.run_best().value)) return Descent::possible;
     if (!value || improved) continue;
     seen = true;
-    if (*value - from.value < clear_noises * smallest) break;
+    if (*value - from.value < clear_noises * smallest) continue;
     rise_before = rise;
     rise = *value - from.value;
   }
