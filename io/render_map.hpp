@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/palette.hpp"
+#include "io/tessellate.hpp"
+#include "model/surface.hpp"
+
+namespace bodyline::io {
+
+/// What the colours of a picture say.
+enum class Map {
+  shade,           ///< paint in a studio
+  mean_curvature,  ///< 1/m, positive where the body bulges outwards
+  gauss,           ///< Gauss curvature, 1/m^2
+  zebra,           ///< stripes every 10 degrees of elevation of the mirrored ray
+  isophotes,       ///< bands every 5 degrees of the angle between the normal and straight up
+  patches,         ///< one colour per patch; transitions and corners grey
+  stages,          ///< patches, transitions and corners in three colours
+};
+
+/// "shade", "mean-curvature", "gauss", "zebra", "isophotes", "patches" or "stages".
+std::string map_name(Map map);
+
+/// Throws std::invalid_argument listing the names.
+Map map_from_name(const std::string& name);
+
+std::vector<std::string> map_names();
+
+/// Curvature (in the map's unit, 1/m or 1/m^2) at which the colours of a curvature map end: the
+/// value that nine tenths of the body's area stay below, rounded up to 1, 2 or 5 times a power of
+/// ten.
+double curvature_range(const std::vector<model::Surface>& faces, Map map);
+
+/// Colours of a map. Plain data; queries may run in several threads.
+class MapColors {
+ public:
+  /// `range` as for curvature_range; found from the faces when absent.
+  MapColors(const std::vector<model::Surface>& faces, Map map, std::optional<double> range);
+
+  Map map() const { return map_; }
+  double range() const { return range_; }
+  /// Derivatives a point's colour needs.
+  int jet_order() const;
+  /// Whether thin lines along the edges of the faces belong to the map.
+  bool edge_lines() const { return map_ == Map::patches || map_ == Map::stages; }
+
+  /// The colour at a point of a face, before light. `normal` and `to_camera` are unit vectors.
+  Color color(int face, const model::SurfaceJet& jet, const Eigen::Vector3d& normal,
+              const Eigen::Vector3d& to_camera) const;
+
+  /// Names and colours of what the map distinguishes: patches without their mirror images, or
+  /// stages.
+  struct Entry {
+    std::string name;
+    Color color;
+  };
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  Map map_;
+  double range_ = 1.0;
+  std::vector<bool> inward_;
+  std::vector<Color> face_colors_;
+  std::vector<Entry> entries_;
+};
+
+/// Angle, degrees, at which the colours of the isophotes end.
+inline constexpr double isophote_end = 120.0;
+
+/// Colour of the isophotes at an angle between the normal and straight up, degrees.
+Color isophote_color(double angle);
+
+}  // namespace bodyline::io
