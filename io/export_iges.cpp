@@ -2,6 +2,10 @@
 #include <IGESControl_Writer.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESData_IGESWriter.hxx>
+#include <IGESData_Protocol.hxx>
+#include <IGESSelect_WorkLibrary.hxx>
+#include <Interface_FloatWriter.hxx>
 #include <Interface_Static.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TransferBRep.hxx>
@@ -39,6 +43,15 @@ void name_faces(IGESControl_Writer& writer, const CadShell& cad,
   }
 }
 
+std::string write_text(IGESControl_Writer& writer) {
+  IGESData_IGESWriter file(writer.Model());
+  file.FloatWriter().SetFormat("%.15E");  // OpenCASCADE's own choice loses 5e-7 mm
+  file.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
+  std::ostringstream text;
+  if (!file.Print(text)) throw std::runtime_error("OpenCASCADE could not write the IGES file");
+  return text.str();
+}
+
 }  // namespace
 
 CadFile iges_file(const std::vector<model::Surface>& surfaces, const std::string& name) {
@@ -50,9 +63,7 @@ CadFile iges_file(const std::vector<model::Surface>& surfaces, const std::string
     throw std::runtime_error("OpenCASCADE could not translate the faces to IGES");
   name_faces(writer, cad, surfaces);
   writer.ComputeModel();
-  std::ostringstream text;
-  if (!writer.Write(text)) throw std::runtime_error("OpenCASCADE could not write the IGES file");
-  return {text.str(), cad.max_deviation_mm, cad.not_polynomial};
+  return {write_text(writer), cad.max_deviation_mm, cad.not_polynomial};
 }
 
 }  // namespace bodyline::io

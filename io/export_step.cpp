@@ -4,6 +4,7 @@
 #include <Interface_Static.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
+#include <StepBasic_Product.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -43,6 +44,17 @@ void name_faces(STEPControl_Writer& writer, const CadShell& cad,
   }
 }
 
+/// OpenCASCADE numbers the products it writes; this gives the product the name alone.
+void name_product(STEPControl_Writer& writer, const std::string& name) {
+  const Handle(StepData_StepModel) step = writer.Model();
+  for (int k = 1; k <= step->NbEntities(); ++k) {
+    const auto product = Handle(StepBasic_Product)::DownCast(step->Value(k));
+    if (product.IsNull()) continue;
+    product->SetId(to_cad(plain(name)));
+    product->SetName(to_cad(plain(name)));
+  }
+}
+
 std::string write_text(STEPControl_Writer& writer, const std::string& name) {
   const Handle(StepData_StepModel) step = writer.Model();
   APIHeaderSection_MakeHeader header(step);
@@ -52,6 +64,7 @@ std::string write_text(STEPControl_Writer& writer, const std::string& name) {
   header.SetOriginatingSystem(to_cad("Bodyline"));
   header.Apply(step);
   StepData_StepWriter file(step);
+  file.FloatWriter().SetFormat("%.15E");
   file.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   std::ostringstream text;
   if (!file.Print(text)) throw std::runtime_error("OpenCASCADE could not write the STEP file");
@@ -67,11 +80,11 @@ CadFile step_file(const std::vector<model::Surface>& surfaces, const std::string
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   Interface_Static::SetCVal("write.step.unit", "MM");
   Interface_Static::SetIVal("write.step.assembly", 0);  // several shells stay one product
-  Interface_Static::SetCVal("write.step.product.name", plain(name).c_str());
   writer.Model(true);
   if (writer.Transfer(cad.shape, STEPControl_AsIs) != IFSelect_RetDone)
     throw std::runtime_error("OpenCASCADE could not translate the faces to STEP");
   name_faces(writer, cad, surfaces);
+  name_product(writer, name);
   return {write_text(writer, name), cad.max_deviation_mm, cad.not_polynomial};
 }
 

@@ -11,7 +11,7 @@
 /// CAD files read back with OpenCASCADE.
 namespace bodyline::test {
 
-// The files hold 15 digits: 1e-12 mm at 1 m; what the product promises is 1e-6 mm for exact faces,
+// The files hold 16 digits: 1e-12 mm at 5 m; what the product promises is 1e-6 mm for exact faces,
 // 1e-3 for others.
 inline constexpr double exact_mm = 1e-6, approximate_mm = 1e-3;
 
