@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "model/body_plan.hpp"
@@ -22,7 +23,7 @@ class Construction {
       : nets(plan.point_count),
         nets_bar(plan.point_count),
         plan_(&plan),
-        half_(plan.kept_begin),
+        kept_(plan.kept_begin),
         cuts_(2 * plan.patches.size()),
         seams_before_(plan.seams.size()),
         seam_traces_(plan.seams.size()),
@@ -52,7 +53,7 @@ class Construction {
     }
     if (stage != Stage::base) {
       for (std::size_t s = plan_->seams.size(); s-- > 0;) seam_pullback(s);
-      for (std::size_t p = plan_->patches.size(); p-- > 0;) kept_pullback(p, parameters_bar);
+      for (std::size_t p = plan_->patches.size(); p-- > 0;) kept_pullback(parameters, p, parameters_bar);
     }
     for (std::size_t p = plan_->patches.size(); p-- > 0;) base_pullback(parameters, plan_->patches[p], parameters_bar);
   }
@@ -80,24 +81,30 @@ class Construction {
     }
   }
 
-  void build_kept(const Real* parameters, std::size_t p, bool for_pullback) {
+  void build_kept(const Real* parameters, std::size_t p, bool) {
     const PatchStep& step = plan_->patches[p];
     const Real* c = parameters + step.cut;
-    cuts_[2 * p] = cut_matrix(step.degree_u, c[0], c[1], for_pullback);
-    cuts_[2 * p + 1] = cut_matrix(step.degree_v, c[2], c[3], for_pullback);
-    cut(cuts_[2 * p], cuts_[2 * p + 1], &nets[step.base_net], &half_[step.base_net], &nets[step.kept_net]);
+    cut_matrix(step.degree_u, c[0], c[1], cuts_[2 * p].data());
+    cut_matrix(step.degree_v, c[2], c[3], cuts_[2 * p + 1].data());
+    cut(step.degree_u, step.degree_v, cuts_[2 * p].data(), cuts_[2 * p + 1].data(), &nets[step.base_net],
+        &nets[step.kept_net]);
+    const int points = (step.degree_u + 1) * (step.degree_v + 1);
+    for (int k = 0; k < points; ++k) kept_[step.base_net + k] = nets[step.kept_net + k];
   }
 
-  void kept_pullback(std::size_t p, Real* parameters_bar) {
+  void kept_pullback(const Real* parameters, std::size_t p, Real* parameters_bar) {
     const PatchStep& step = plan_->patches[p];
-    CutBar<Real> bar;
-    cut_pullback(cuts_[2 * p], cuts_[2 * p + 1], &nets[step.base_net], &half_[step.base_net], &nets_bar[step.kept_net],
-                 &nets_bar[step.base_net], bar);
+    const Real* at = parameters + step.cut;
+    const int m = step.degree_u, n = step.degree_v;
+    const Vec3<Real>*kept = &kept_[step.base_net], *bar = &nets_bar[step.kept_net];
+    const RangeBar<Real> u = cut_range_pullback(m, n + 1, n + 1, 1, at[1] - at[0], kept, bar);
+    const RangeBar<Real> v = cut_range_pullback(n, 1, m + 1, n + 1, at[3] - at[2], kept, bar);
     Real* c = parameters_bar + step.cut;
-    c[0] += bar.u_lo;
-    c[1] += bar.u_hi;
-    c[2] += bar.v_lo;
-    c[3] += bar.v_hi;
+    c[0] += u.lo;
+    c[1] += u.hi;
+    c[2] += v.lo;
+    c[3] += v.hi;
+    cut_pullback(m, n, cuts_[2 * p].data(), cuts_[2 * p + 1].data(), bar, &nets_bar[step.base_net]);
   }
 
   int kept_index(const SideStep& side, int k, int depth) const {
@@ -183,8 +190,8 @@ class Construction {
       } else if (step.uncut >= 0) {
         Vec3<Real> low[max_patch_degree + 1];
         transition_handle(step.degree, side, step.leaning[which], low);
-        elevate(step.degree, 1, side.edge, edge);
-        elevate(step.degree, 1, low, handle);
+        elevate_once(step.degree, side.edge, edge);
+        elevate_once(step.degree, low, handle);
       } else {
         transition_handle(step.degree, side, step.leaning[which], handle);
         for (int k = 0; k <= step.degree; ++k) edge[k] = side.edge[k];
@@ -218,8 +225,8 @@ class Construction {
         free_edge_pullback(parameters, step, target_bar, width_bar, parameters_bar);
       } else if (step.uncut >= 0) {
         Vec3<Real> low_bar[max_patch_degree + 1] = {};
-        elevate_pullback(step.degree, 1, edge_bar, bar.edge);
-        elevate_pullback(step.degree, 1, handle_bar, low_bar);
+        elevate_once_pullback(step.degree, edge_bar, bar.edge);
+        elevate_once_pullback(step.degree, handle_bar, low_bar);
         transition_handle_pullback(step.degree, side, step.leaning[which], low_bar, bar);
       } else {
         for (int k = 0; k <= step.degree; ++k) bar.edge[k] = edge_bar[k];
@@ -329,8 +336,8 @@ class Construction {
   }
 
   const BodyPlan* plan_;
-  std::vector<Vec3<Real>> half_;
-  std::vector<CutMatrix<Real>> cuts_;
+  std::vector<Vec3<Real>> kept_;  // before the seams
+  std::vector<std::array<Real, (max_patch_degree + 1) * (max_patch_degree + 1)>> cuts_;
   std::vector<SeamRows<Real>> seams_before_;
   std::vector<SeamTrace<Real>> seam_traces_;
   std::vector<UncutTrace<Real>> uncut_;

@@ -84,39 +84,33 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
     w[place.at] = w[place.along_x] + w[place.along_y] - w[place.vertex] + scaled(place.sign / 9.0, twist);
   }
   // Inner rows in y of the patch that meets bottom and top, less W raised in x; whole rows in x for left and right.
-  Vec3<Real> inner[2][7], across[4][7], field[7];
+  Vec3<Real> inner[2][7], field[7], inner_w[2][4];
   field_row(edges[bottom], trace.field[bottom], field);
-  elevate(3, 3, edges[bottom].curve, inner[0]);
+  for (int k = 0; k < 4; ++k) inner_w[0][k] = edges[bottom].curve[k] - w[k * 4 + 1];
+  elevate<3, 3>(inner_w[0], inner[0]);
   for (int k = 0; k < 7; ++k) inner[0][k] += scaled(1.0 / 3.0, field[k]);
   if (shape.three_sided) {
     const Vec3<Real> ends[2] = {end_left, end_right};
-    elevate(1, 5, ends, field);
+    elevate<1, 5>(ends, field);
   } else {
     field_row(edges[top], trace.field[top], field);
   }
-  elevate(3, 3, edges[top].curve, inner[1]);
+  for (int k = 0; k < 4; ++k) inner_w[1][k] = edges[top].curve[k] - w[k * 4 + 2];
+  elevate<3, 3>(inner_w[1], inner[1]);
   for (int k = 0; k < 7; ++k) inner[1][k] -= scaled(1.0 / 3.0, field[k]);
-  for (int k = 0; k < 7; ++k) {
-    for (int i = (k > 3 ? k - 3 : 0); i <= (k < 3 ? k : 3); ++i) {
-      inner[0][k] -= scaled(elevation_weight(3, 3, k, i), w[i * 4 + 1]);
-      inner[1][k] -= scaled(elevation_weight(3, 3, k, i), w[i * 4 + 2]);
-    }
-  }
-  elevate(3, 3, edges[left].curve, across[0]);
-  elevate(3, 3, edges[right].curve, across[3]);
+  Vec3<Real> raised_left[7], raised_right[7], field_right[7];
+  elevate<3, 3>(edges[left].curve, raised_left);
+  elevate<3, 3>(edges[right].curve, raised_right);
   field_row(edges[left], trace.field[left], field);
-  for (int k = 0; k < 7; ++k) across[1][k] = across[0][k] + scaled(1.0 / 3.0, field[k]);
-  field_row(edges[right], trace.field[right], field);
-  for (int k = 0; k < 7; ++k) across[2][k] = across[3][k] - scaled(1.0 / 3.0, field[k]);
-  for (int k = 0; k < 7; ++k) {
-    for (int l = 0; l < 7; ++l) {
-      Vec3<Real> sum{};
-      for (int i = (k > 3 ? k - 3 : 0); i <= (k < 3 ? k : 3); ++i) {
-        sum += scaled(elevation_weight(3, 3, k, i), across[i][l]);
-      }
-      if (l >= 1 && l <= 4) sum += scaled(elevation_weight(3, 3, l, 1), inner[0][k]);
-      if (l >= 2 && l <= 5) sum += scaled(elevation_weight(3, 3, l, 2), inner[1][k]);
-      net[k * 7 + l] = sum;
+  field_row(edges[right], trace.field[right], field_right);
+  for (int l = 0; l < 7; ++l) {
+    const Vec3<Real> across[4] = {raised_left[l], raised_left[l] + scaled(1.0 / 3.0, field[l]),
+                                  raised_right[l] - scaled(1.0 / 3.0, field_right[l]), raised_right[l]};
+    Vec3<Real> column[7];
+    elevate<3, 3>(across, column);
+    const double *weight = elevation<3, 3>.weight[l];
+    for (int k = 0; k < 7; ++k) {
+      net[k * 7 + l] = column[k] + scaled(weight[1], inner[0][k]) + scaled(weight[2], inner[1][k]);
     }
   }
 }
@@ -125,42 +119,40 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
 template <class Real>
 void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* edges, const CornerTrace<Real>& trace,
                          const Vec3<Real>* net_bar, const Vec3<Real>& blend_bar, TransitionEnd<Real>* edges_bar) {
-  Vec3<Real> inner_bar[2][7] = {}, across_bar[4][7] = {}, field_bar[7], w_bar[16] = {};
-  for (int k = 0; k < 7; ++k) {
-    for (int l = 0; l < 7; ++l) {
-      const Vec3<Real>& bar = net_bar[k * 7 + l];
-      for (int i = (k > 3 ? k - 3 : 0); i <= (k < 3 ? k : 3); ++i) {
-        across_bar[i][l] += scaled(elevation_weight(3, 3, k, i), bar);
-      }
-      if (l >= 1 && l <= 4) inner_bar[0][k] += scaled(elevation_weight(3, 3, l, 1), bar);
-      if (l >= 2 && l <= 5) inner_bar[1][k] += scaled(elevation_weight(3, 3, l, 2), bar);
+  Vec3<Real> inner_bar[2][7] = {}, left_bar[7], right_bar[7], field_bar[7], field_right_bar[7], w_bar[16] = {};
+  for (int l = 0; l < 7; ++l) {
+    const double* weight = elevation<3, 3>.weight[l];
+    Vec3<Real> column_bar[7], across_bar[4] = {};
+    for (int k = 0; k < 7; ++k) {
+      column_bar[k] = net_bar[k * 7 + l];
+      inner_bar[0][k] += scaled(weight[1], column_bar[k]);
+      inner_bar[1][k] += scaled(weight[2], column_bar[k]);
     }
+    elevate_pullback<3, 3>(column_bar, across_bar);
+    left_bar[l] = across_bar[0] + across_bar[1];
+    right_bar[l] = across_bar[3] + across_bar[2];
+    field_bar[l] = scaled(1.0 / 3.0, across_bar[1]);
+    field_right_bar[l] = scaled(-1.0 / 3.0, across_bar[2]);
   }
   CornerField<Real> fields_bar[4] = {};
-  for (int k = 0; k < 7; ++k) {
-    across_bar[0][k] += across_bar[1][k];
-    across_bar[3][k] += across_bar[2][k];
-    across_bar[1][k] = scaled(1.0 / 3.0, across_bar[1][k]);
-    across_bar[2][k] = scaled(-1.0 / 3.0, across_bar[2][k]);
-  }
-  field_row_pullback(edges[left], trace.field[left], across_bar[1], edges_bar[left], fields_bar[left]);
-  field_row_pullback(edges[right], trace.field[right], across_bar[2], edges_bar[right], fields_bar[right]);
-  elevate_pullback(3, 3, across_bar[0], edges_bar[left].curve);
-  elevate_pullback(3, 3, across_bar[3], edges_bar[right].curve);
-  for (int k = 0; k < 7; ++k) {
-    for (int i = (k > 3 ? k - 3 : 0); i <= (k < 3 ? k : 3); ++i) {
-      w_bar[i * 4 + 1] -= scaled(elevation_weight(3, 3, k, i), inner_bar[0][k]);
-      w_bar[i * 4 + 2] -= scaled(elevation_weight(3, 3, k, i), inner_bar[1][k]);
+  field_row_pullback(edges[left], trace.field[left], field_bar, edges_bar[left], fields_bar[left]);
+  field_row_pullback(edges[right], trace.field[right], field_right_bar, edges_bar[right], fields_bar[right]);
+  elevate_pullback<3, 3>(left_bar, edges_bar[left].curve);
+  elevate_pullback<3, 3>(right_bar, edges_bar[right].curve);
+  for (int side = 0; side < 2; ++side) {
+    Vec3<Real> inner_w_bar[4] = {};
+    elevate_pullback<3, 3>(inner_bar[side], inner_w_bar);
+    for (int k = 0; k < 4; ++k) {
+      edges_bar[side == 0 ? bottom : top].curve[k] += inner_w_bar[k];
+      w_bar[k * 4 + 1 + side] -= inner_w_bar[k];
     }
   }
-  elevate_pullback(3, 3, inner_bar[0], edges_bar[bottom].curve);
-  elevate_pullback(3, 3, inner_bar[1], edges_bar[top].curve);
   for (int k = 0; k < 7; ++k) field_bar[k] = scaled(1.0 / 3.0, inner_bar[0][k]);
   field_row_pullback(edges[bottom], trace.field[bottom], field_bar, edges_bar[bottom], fields_bar[bottom]);
   for (int k = 0; k < 7; ++k) field_bar[k] = scaled(-1.0 / 3.0, inner_bar[1][k]);
   Vec3<Real> ends_bar[2] = {};  // of the two end tangents at an apex
   if (shape.three_sided) {
-    elevate_pullback(1, 5, field_bar, ends_bar);
+    elevate_pullback<1, 5>(field_bar, ends_bar);
   } else {
     field_row_pullback(edges[top], trace.field[top], field_bar, edges_bar[top], fields_bar[top]);
   }

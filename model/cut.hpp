@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/bernstein.hpp"
+#include "model/elevation.hpp"
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
@@ -8,115 +8,101 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// Highest degree of a patch of the body in one direction.
-inline constexpr int max_patch_degree = 9;
-
-/// The blossom restriction of degree n to [lo, hi] as a matrix: kept[j] = sum_k at(j, k) P[k], with
-/// at(j, .) the coefficients of (1-lo + lo E)^(n-j) (1-hi + hi E)^j. Its derivatives in lo and hi beside it.
+/// The blossom restriction of degree n to [lo, hi] as a matrix, (n + 1) x (n + 1), row by row:
+/// kept[j] = sum_k matrix[j][k] P[k], with matrix[j] the coefficients of
+/// (1-lo + lo E)^(n-j) (1-hi + hi E)^j.
 template <class Real>
-struct CutMatrix {
-  int degree = 0;
-  Real value[max_patch_degree + 1][max_patch_degree + 1];
-  Real d_lo[max_patch_degree + 1][max_patch_degree + 1];
-  Real d_hi[max_patch_degree + 1][max_patch_degree + 1];
-};
-
-/// The matrix of a cut; its derivatives only when asked for.
-template <class Real>
-CutMatrix<Real> cut_matrix(int degree, const Real& lo, const Real& hi, bool with_derivatives) {
-  CutMatrix<Real> matrix;
-  matrix.degree = degree;
-  // powers[0][p], powers[1][p]: coefficients of the p-th power of each factor.
-  Real powers[2][max_patch_degree + 1][max_patch_degree + 1];
-  for (int side = 0; side < 2; ++side) {
-    const Real& t = side == 0 ? lo : hi;
-    const Real s = Real(1.0) - t;
-    powers[side][0][0] = Real(1.0);
-    for (int p = 1; p <= degree; ++p) {
-      powers[side][p][0] = s * powers[side][p - 1][0];
-      for (int k = 1; k < p; ++k) powers[side][p][k] = s * powers[side][p - 1][k] + t * powers[side][p - 1][k - 1];
-      powers[side][p][p] = t * powers[side][p - 1][p - 1];
-    }
+void cut_matrix(int n, const Real& lo, const Real& hi, Real* matrix) {
+  // From powers of the first factor, one factor of the second for every row.
+  Real power[max_patch_degree + 1];  // (1-lo + lo E)^(n-j)
+  Real rest[max_patch_degree + 1][max_patch_degree + 1];
+  const Real lo_rest = Real(1.0) - lo, hi_rest = Real(1.0) - hi;
+  rest[0][0] = Real(1.0);
+  for (int p = 1; p <= n; ++p) {
+    rest[p][0] = lo_rest * rest[p - 1][0];
+    for (int k = 1; k < p; ++k) rest[p][k] = lo_rest * rest[p - 1][k] + lo * rest[p - 1][k - 1];
+    rest[p][p] = lo * rest[p - 1][p - 1];
   }
-  // Product of the a-th power of the first factor and the b-th of the second, times (E - 1)^difference.
-  const auto multiply = [&](int a, int b, int difference, double factor, Real* row) {
-    for (int k = 0; k <= degree; ++k) row[k] = Real(0.0);
-    for (int i = 0; i <= a; ++i) {
-      for (int k = 0; k <= b; ++k) {
-        const Real product = Real(factor) * (powers[0][a][i] * powers[1][b][k]);
-        if (difference == 0) {
-          row[i + k] += product;
-        } else {
-          row[i + k] -= product;
-          row[i + k + 1] += product;
-        }
-      }
+  for (int j = 0; j <= n; ++j) {
+    for (int k = 0; k <= n - j; ++k) power[k] = rest[n - j][k];
+    for (int q = 1; q <= j; ++q) {
+      const int top = n - j + q;
+      power[top] = hi * power[top - 1];
+      for (int k = top - 1; k > 0; --k) power[k] = hi_rest * power[k] + hi * power[k - 1];
+      power[0] = hi_rest * power[0];
     }
-  };
-  for (int j = 0; j <= degree; ++j) {
-    multiply(degree - j, j, 0, 1.0, matrix.value[j]);
-    if (!with_derivatives) continue;
-    for (int k = 0; k <= degree; ++k) matrix.d_lo[j][k] = matrix.d_hi[j][k] = Real(0.0);
-    if (j < degree) multiply(degree - j - 1, j, 1, degree - j, matrix.d_lo[j]);
-    if (j > 0) multiply(degree - j, j - 1, 1, j, matrix.d_hi[j]);
+    for (int k = 0; k <= n; ++k) matrix[j * (n + 1) + k] = power[k];
   }
-  return matrix;
 }
 
-/// kept = U net V^T for the matrices of the cut in u and in v; `half` (same size) receives U net for the pullback.
+/// kept = in_u net in_v^T, nets of (m + 1) x (n + 1) points, matrices as cut_matrix makes them.
 template <class Real>
-void cut(const CutMatrix<Real>& in_u, const CutMatrix<Real>& in_v, const Vec3<Real>* net, Vec3<Real>* half,
-         Vec3<Real>* kept) {
-  const int m = in_u.degree, n = in_v.degree, stride = n + 1;
+void cut(int m, int n, const Real* in_u, const Real* in_v, const Vec3<Real>* net, Vec3<Real>* kept) {
+  const int stride = n + 1;
   for (int i = 0; i <= m; ++i) {
+    Vec3<Real> half[max_patch_degree + 1];
     for (int j = 0; j <= n; ++j) {
-      Vec3<Real> sum = in_u.value[i][0] * net[j];
-      for (int k = 1; k <= m; ++k) sum += in_u.value[i][k] * net[k * stride + j];
-      half[i * stride + j] = sum;
+      Vec3<Real> sum = in_u[i * (m + 1)] * net[j];
+      for (int k = 1; k <= m; ++k) sum += in_u[i * (m + 1) + k] * net[k * stride + j];
+      half[j] = sum;
     }
     for (int j = 0; j <= n; ++j) {
-      Vec3<Real> sum = in_v.value[j][0] * half[i * stride];
-      for (int k = 1; k <= n; ++k) sum += in_v.value[j][k] * half[i * stride + k];
+      Vec3<Real> sum = in_v[j * stride] * half[0];
+      for (int k = 1; k <= n; ++k) sum += in_v[j * stride + k] * half[k];
       kept[i * stride + j] = sum;
     }
   }
 }
 
-/// Adjoints of the four cut values.
+/// Pullback of cut: adds to `net_bar`.
 template <class Real>
-struct CutBar {
-  Real u_lo{}, u_hi{}, v_lo{}, v_hi{};
-};
-
-/// Pullback of cut: adds to `net_bar` and to the adjoints of the cut values (the matrices need their derivatives).
-template <class Real>
-void cut_pullback(const CutMatrix<Real>& in_u, const CutMatrix<Real>& in_v, const Vec3<Real>* net,
-                  const Vec3<Real>* half, const Vec3<Real>* kept_bar, Vec3<Real>* net_bar, CutBar<Real>& bar) {
-  const int m = in_u.degree, n = in_v.degree, stride = n + 1;
-  Vec3<Real> half_bar[max_patch_degree + 1];
+void cut_pullback(int m, int n, const Real* in_u, const Real* in_v, const Vec3<Real>* kept_bar,
+                  Vec3<Real>* net_bar) {
+  const int stride = n + 1;
+  Vec3<Real> half_bar[(max_patch_degree + 1) * (max_patch_degree + 1)];
   for (int i = 0; i <= m; ++i) {
     for (int k = 0; k <= n; ++k) {
-      Vec3<Real> sum = in_v.value[0][k] * kept_bar[i * stride];
-      for (int j = 1; j <= n; ++j) sum += in_v.value[j][k] * kept_bar[i * stride + j];
-      half_bar[k] = sum;
-    }
-    for (int j = 0; j <= n; ++j) {
-      for (int k = 0; k <= n; ++k) {
-        const Real product = dot(kept_bar[i * stride + j], half[i * stride + k]);
-        bar.v_lo += in_v.d_lo[j][k] * product;
-        bar.v_hi += in_v.d_hi[j][k] * product;
-      }
-    }
-    for (int k = 0; k <= m; ++k) {
-      Real product{};
-      for (int j = 0; j <= n; ++j) {
-        product += dot(half_bar[j], net[k * stride + j]);
-        net_bar[k * stride + j] += in_u.value[i][k] * half_bar[j];
-      }
-      bar.u_lo += in_u.d_lo[i][k] * product;
-      bar.u_hi += in_u.d_hi[i][k] * product;
+      Vec3<Real> sum = in_v[k] * kept_bar[i * stride];
+      for (int j = 1; j <= n; ++j) sum += in_v[j * stride + k] * kept_bar[i * stride + j];
+      half_bar[i * stride + k] = sum;
     }
   }
+  for (int k = 0; k <= m; ++k) {
+    for (int j = 0; j <= n; ++j) {
+      Vec3<Real> sum = net_bar[k * stride + j];
+      for (int i = 0; i <= m; ++i) sum += in_u[i * (m + 1) + k] * half_bar[i * stride + j];
+      net_bar[k * stride + j] = sum;
+    }
+  }
+}
+
+/// Adjoints of both ends of a cut's range.
+template <class Real>
+struct RangeBar {
+  Real lo{}, hi{};
+};
+
+/// Pullback of a cut to [lo, hi] to that range, from the kept net alone. With t the kept piece's own
+/// parameter from 0 to 1, moving lo moves the piece S by (1 - t) dS/dt / (hi - lo), moving hi by
+/// t dS/dt / (hi - lo): both are of the piece's own degree.
+/// The net has `rows` rows of `degree` + 1 points: point k of row r is at r * row_step + k * step.
+template <class Real>
+RangeBar<Real> cut_range_pullback(int degree, int step, int rows, int row_step, const Real& length,
+                                  const Vec3<Real>* kept, const Vec3<Real>* kept_bar) {
+  RangeBar<Real> bar;
+  for (int k = 0; k < degree; ++k) {
+    Real at_lo{}, at_hi{};
+    for (int r = 0; r < rows; ++r) {
+      const int here = r * row_step + k * step, next = here + step;
+      const Vec3<Real> move = kept[next] - kept[here];
+      at_lo += dot(kept_bar[here], move);
+      at_hi += dot(kept_bar[next], move);
+    }
+    bar.lo += Real(double(degree - k)) * at_lo;
+    bar.hi += Real(double(k + 1)) * at_hi;
+  }
+  const Real inverse = Real(1.0) / length;
+  return {inverse * bar.lo, inverse * bar.hi};
 }
 
 }  // namespace BODYLINE_ISA_NAMESPACE

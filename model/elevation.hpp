@@ -4,55 +4,159 @@
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
-/// Degree elevation and products of Bezier rows, with their pullbacks.
+/// Degree elevation and products of Bezier rows, with their pullbacks. All weights are tables made
+/// by the compiler.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// Coefficient of point i of degree n in point k of degree n + r.
-constexpr double elevation_weight(int n, int r, int k, int i) {
-  return binomial(n, i) * binomial(r, k - i) / binomial(n + r, k);
-}
+/// Highest degree of a patch of the body in one direction.
+inline constexpr int max_patch_degree = 9;
 
-/// Coefficient of f_i g_j, of degrees p and q, in point i + j of the product.
-constexpr double product_weight(int p, int q, int i, int j) {
-  return binomial(p, i) * binomial(q, j) / binomial(p + q, i + j);
+/// k / n and (n - k) / n, 0 <= k <= n, 1 <= n <= max_patch_degree + 1.
+struct FractionTable {
+  double value[max_patch_degree + 2][max_patch_degree + 2];  ///< [n][k]
+  double rest[max_patch_degree + 2][max_patch_degree + 2];
+};
+consteval FractionTable make_fractions() {
+  FractionTable table{};
+  for (int n = 1; n <= max_patch_degree + 1; ++n) {
+    for (int k = 0; k <= n; ++k) {
+      table.value[n][k] = double(k) / n;
+      table.rest[n][k] = double(n - k) / n;
+    }
+  }
+  return table;
 }
+inline constexpr FractionTable fractions = make_fractions();
 
-/// raised (n + 1 + r points) = the same curve as row (n + 1 points).
-template <class Real>
-void elevate(int n, int r, const Vec3<Real>* row, Vec3<Real>* raised) {
-  for (int k = 0; k <= n + r; ++k) {
-    raised[k] = Vec3<Real>{};
-    for (int i = k > r ? k - r : 0; i <= (k < n ? k : n); ++i) raised[k] += scaled(elevation_weight(n, r, k, i), row[i]);
+/// weight[k][i]: coefficient of point i of degree N in point k of degree N + R.
+template <int N, int R>
+struct ElevationTable {
+  double weight[N + R + 1][N + 1];
+};
+template <int N, int R>
+consteval ElevationTable<N, R> make_elevation() {
+  ElevationTable<N, R> table{};
+  for (int k = 0; k <= N + R; ++k) {
+    for (int i = 0; i <= N; ++i) {
+      table.weight[k][i] = binomial(N, i) * binomial(R, k - i) / binomial(N + R, k);
+    }
+  }
+  return table;
+}
+template <int N, int R>
+inline constexpr ElevationTable<N, R> elevation = make_elevation<N, R>();
+
+/// weight[i][j]: coefficient of f_i g_j, of degrees P and Q, in point i + j of the product.
+template <int P, int Q>
+struct ProductTable {
+  double weight[P + 1][Q + 1];
+};
+template <int P, int Q>
+consteval ProductTable<P, Q> make_product() {
+  ProductTable<P, Q> table{};
+  for (int i = 0; i <= P; ++i) {
+    for (int j = 0; j <= Q; ++j) {
+      table.weight[i][j] = binomial(P, i) * binomial(Q, j) / binomial(P + Q, i + j);
+    }
+  }
+  return table;
+}
+template <int P, int Q>
+inline constexpr ProductTable<P, Q> product = make_product<P, Q>();
+
+/// raised (N + R + 1 points) = the same curve as row (N + 1 points).
+template <int N, int R, class Real>
+void elevate(const Vec3<Real>* row, Vec3<Real>* raised) {
+#pragma GCC unroll 16
+  for (int k = 0; k <= N + R; ++k) {
+    const int first = k > R ? k - R : 0, last = k < N ? k : N;
+    Vec3<Real> sum = scaled(elevation<N, R>.weight[k][first], row[first]);
+#pragma GCC unroll 16
+    for (int i = first + 1; i <= last; ++i) sum += scaled(elevation<N, R>.weight[k][i], row[i]);
+    raised[k] = sum;
   }
 }
 
+/// Pullback of elevate: adds to row_bar.
+template <int N, int R, class Real>
+void elevate_pullback(const Vec3<Real>* raised_bar, Vec3<Real>* row_bar) {
+#pragma GCC unroll 16
+  for (int i = 0; i <= N; ++i) {
+    Vec3<Real> sum = row_bar[i];
+#pragma GCC unroll 16
+    for (int k = i; k <= i + R; ++k) sum += scaled(elevation<N, R>.weight[k][i], raised_bar[k]);
+    row_bar[i] = sum;
+  }
+}
+
+/// raised (n + 2 points) = the same curve as row (n + 1 points), n <= max_patch_degree.
 template <class Real>
-void elevate_pullback(int n, int r, const Vec3<Real>* raised_bar, Vec3<Real>* row_bar) {
-  for (int k = 0; k <= n + r; ++k) {
-    for (int i = k > r ? k - r : 0; i <= (k < n ? k : n); ++i) {
-      row_bar[i] += scaled(elevation_weight(n, r, k, i), raised_bar[k]);
+void elevate_once(int n, const Vec3<Real>* row, Vec3<Real>* raised) {
+  const double *share = fractions.value[n + 1], *rest = fractions.rest[n + 1];
+  raised[0] = row[0];
+  for (int k = 1; k <= n; ++k) raised[k] = scaled(share[k], row[k - 1]) + scaled(rest[k], row[k]);
+  raised[n + 1] = row[n];
+}
+
+/// Pullback of elevate_once: adds to row_bar.
+template <class Real>
+void elevate_once_pullback(int n, const Vec3<Real>* raised_bar, Vec3<Real>* row_bar) {
+  const double *share = fractions.value[n + 1], *rest = fractions.rest[n + 1];
+  for (int k = 0; k <= n; ++k) {
+    row_bar[k] += scaled(rest[k], raised_bar[k]) + scaled(share[k + 1], raised_bar[k + 1]);
+  }
+}
+
+/// product_row (P + Q + 1 points) += factor (scalar, degree P) times row (degree Q).
+template <int P, int Q, class Real>
+void multiply_add(const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
+#pragma GCC unroll 16
+  for (int i = 0; i <= P; ++i) {
+#pragma GCC unroll 16
+    for (int j = 0; j <= Q; ++j) {
+      product_row[i + j] += (Real(product<P, Q>.weight[i][j]) * factor[i]) * row[j];
     }
   }
 }
 
-/// product (p + q + 1 points) += factor (scalar, degree p) times row (degree q).
-template <class Real>
-void multiply_add(int p, int q, const Real* factor, const Vec3<Real>* row, Vec3<Real>* product) {
-  for (int i = 0; i <= p; ++i) {
-    for (int j = 0; j <= q; ++j) product[i + j] += (Real(product_weight(p, q, i, j)) * factor[i]) * row[j];
-  }
-}
-
-template <class Real>
-void multiply_add_pullback(int p, int q, const Real* factor, const Vec3<Real>* row, const Vec3<Real>* product_bar,
+/// Pullback of multiply_add: adds to the adjoints of both factors.
+template <int P, int Q, class Real>
+void multiply_add_pullback(const Real* factor, const Vec3<Real>* row, const Vec3<Real>* product_bar,
                            Real* factor_bar, Vec3<Real>* row_bar) {
-  for (int i = 0; i <= p; ++i) {
-    for (int j = 0; j <= q; ++j) {
-      const double weight = product_weight(p, q, i, j);
-      factor_bar[i] += Real(weight) * dot(row[j], product_bar[i + j]);
-      row_bar[j] += (Real(weight) * factor[i]) * product_bar[i + j];
+#pragma GCC unroll 16
+  for (int i = 0; i <= P; ++i) {
+#pragma GCC unroll 16
+    for (int j = 0; j <= Q; ++j) {
+      const Real weight(product<P, Q>.weight[i][j]);
+      factor_bar[i] += weight * dot(row[j], product_bar[i + j]);
+      row_bar[j] += (weight * factor[i]) * product_bar[i + j];
     }
+  }
+}
+
+/// product_row (q + 2 points) = factor (scalar, linear) times row (degree q), q <= max_patch_degree.
+template <class Real>
+void multiply_linear(int q, const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
+  const double *share = fractions.value[q + 1], *rest = fractions.rest[q + 1];
+  product_row[0] = factor[0] * row[0];
+  for (int k = 1; k <= q; ++k) {
+    product_row[k] = (Real(rest[k]) * factor[0]) * row[k] + (Real(share[k]) * factor[1]) * row[k - 1];
+  }
+  product_row[q + 1] = factor[1] * row[q];
+}
+
+/// Pullback of multiply_linear: adds to the adjoints of both factors.
+template <class Real>
+void multiply_linear_pullback(int q, const Real* factor, const Vec3<Real>* row,
+                              const Vec3<Real>* product_bar, Real* factor_bar,
+                              Vec3<Real>* row_bar) {
+  const double *share = fractions.value[q + 1], *rest = fractions.rest[q + 1];
+  for (int j = 0; j <= q; ++j) {
+    const Real weight0(rest[j]), weight1(share[j + 1]);
+    factor_bar[0] += weight0 * dot(row[j], product_bar[j]);
+    factor_bar[1] += weight1 * dot(row[j], product_bar[j + 1]);
+    row_bar[j] += (weight0 * factor[0]) * product_bar[j] + (weight1 * factor[1]) * product_bar[j + 1];
   }
 }
 

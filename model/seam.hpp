@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/cut.hpp"
+#include "model/elevation.hpp"
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
@@ -51,8 +51,8 @@ void correct_seam(int n, SeamRows<Real>& rows, SeamTrace<Real>& trace) {
   Real overlap{}, weight{};
   for (int j = 1; j <= n; ++j) {
     Vec3<Real> residual = rows.across_b[j] - trace.rho * rows.across_a[j];
-    if (j < n) residual -= Real(double(n - j) / n) * (trace.lean0 * (rows.edge[j + 1] - rows.edge[j]));
-    const Vec3<Real> step = scaled(double(j) / n, rows.edge[j] - rows.edge[j - 1]);
+    if (j < n) residual -= Real(fractions.rest[n][j]) * (trace.lean0 * (rows.edge[j + 1] - rows.edge[j]));
+    const Vec3<Real> step = scaled(fractions.value[n][j], rows.edge[j] - rows.edge[j - 1]);
     overlap += dot(step, residual);
     weight += dot(step, step);
     trace.residual[j] = residual;
@@ -63,7 +63,7 @@ void correct_seam(int n, SeamRows<Real>& rows, SeamTrace<Real>& trace) {
   rows.across_a[0] = trace.a0;
   rows.across_b[0] = trace.b0;
   for (int j = 1; j <= n; ++j) {
-    trace.residual[j] -= Real(double(j) / n) * (trace.lean1 * (rows.edge[j] - rows.edge[j - 1]));
+    trace.residual[j] -= Real(fractions.value[n][j]) * (trace.lean1 * (rows.edge[j] - rows.edge[j - 1]));
     rows.across_a[j] += (trace.rho * share) * trace.residual[j];
     rows.across_b[j] -= share * trace.residual[j];
   }
@@ -82,8 +82,8 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
     residual_bar[j] = share * (rho * bar.across_a[j] - bar.across_b[j]);
     const Real on_a = dot(bar.across_a[j], trace.residual[j]), on_b = dot(bar.across_b[j], trace.residual[j]);
     rho_bar += (share + rho * d_share) * on_a - d_share * on_b;
-    lean1_bar -= Real(double(j) / n) * dot(residual_bar[j], before.edge[j] - before.edge[j - 1]);
-    const Vec3<Real> step_bar = Real(-double(j) / n) * (trace.lean1 * residual_bar[j]);
+    lean1_bar -= Real(fractions.value[n][j]) * dot(residual_bar[j], before.edge[j] - before.edge[j - 1]);
+    const Vec3<Real> step_bar = Real(-fractions.value[n][j]) * (trace.lean1 * residual_bar[j]);
     bar.edge[j] += step_bar;
     bar.edge[j - 1] -= step_bar;
   }
@@ -91,7 +91,7 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
   const Real overlap_bar = lean1_bar * trace.inverse_weight;
   const Real weight_bar = -trace.lean1 * overlap_bar;
   for (int j = 1; j <= n; ++j) {
-    const double along = double(j) / n;
+    const double along = fractions.value[n][j];
     const Vec3<Real> step = scaled(along, before.edge[j] - before.edge[j - 1]);
     const Vec3<Real> first = trace.residual[j] + trace.lean1 * step;
     const Vec3<Real> step_bar = overlap_bar * first + (weight_bar + weight_bar) * step;

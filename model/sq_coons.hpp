@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/bernstein.hpp"
+#include "model/elevation.hpp"
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
@@ -26,29 +27,87 @@ constexpr double sq_coons_weight(int degree, int j) {
   return sign / (degree * binomial(degree, j));
 }
 
+/// Both functions for every degree and interior point 0 < j < degree.
+struct SqCoonsTable {
+  double neutral[max_patch_degree + 1][max_patch_degree + 1];  ///< [degree][j]: of shape value j - 1
+  double weight[max_patch_degree + 1][max_patch_degree + 1];
+};
+consteval SqCoonsTable make_sq_coons_table() {
+  SqCoonsTable table{};
+  for (int n = 2; n <= max_patch_degree; ++n) {
+    for (int j = 1; j < n; ++j) {
+      table.neutral[n][j] = ge_bezier_neutral(n, j - 1);
+      table.weight[n][j] = sq_coons_weight(n, j);
+    }
+  }
+  return table;
+}
+inline constexpr SqCoonsTable sq_coons_table = make_sq_coons_table();
+
+/// The vectors along which the shape parameters of rows (or columns) move a net, and how far.
+template <class Real>
+struct ShapeMoves {
+  Vec3<Real> direction[max_patch_degree];  ///< W or Z at 1..degree-1
+  Real factor[max_patch_degree];           ///< weight times (shape - neutral shape)
+};
+
+/// The moves of rows k = 1..rows-1 whose ends are net[k * row_step] and net[k * row_step + far], by the `degree` - 1
+/// shape values of the other direction.
+template <class Real>
+void shape_directions(int rows, int row_step, int far, const Vec3<Real>* net, ShapeMoves<Real>& moves) {
+  const Vec3<Real> first = net[far] - net[0], last = net[rows * row_step + far] - net[rows * row_step];
+  for (int k = 1; k < rows; ++k) {
+    const double *share = fractions.value[rows], *rest = fractions.rest[rows];
+    moves.direction[k] =
+        (net[k * row_step + far] - net[k * row_step]) - scaled(rest[k], first) - scaled(share[k], last);
+  }
+}
+
+template <class Real>
+void shape_factors(int degree, const Real* shape, ShapeMoves<Real>& moves) {
+  for (int k = 1; k < degree; ++k) {
+    moves.factor[k] = Real(sq_coons_table.weight[degree][k]) * (shape[k - 1] - Real(sq_coons_table.neutral[degree][k]));
+  }
+}
+
 /// Fills the interior of a net whose boundary is given. `net` is (m+1) x (n+1), v fastest.
 /// shape_u has m-1 and shape_v n-1 values.
 template <class Real>
 void sq_coons(int m, int n, Vec3<Real>* net, const Real* shape_u, const Real* shape_v) {
-  const int stride = n + 1;
-  const Vec3<Real>&p00 = net[0], p0n = net[n], pm0 = net[m * stride], pmn = net[m * stride + n];
+  const int stride = n + 1, m0 = m * stride;
+  const double *share_u = fractions.value[m], *rest_u = fractions.rest[m], *share_v = fractions.value[n];
+  ShapeMoves<Real> w, z;  // rows move along w by v's shape, columns along z by u's
+  shape_directions(m, stride, n, net, w);
+  shape_directions(n, 1, m0, net, z);
+  shape_factors(n, shape_v, w);
+  shape_factors(m, shape_u, z);
   for (int i = 1; i < m; ++i) {
-    const double u = double(i) / m;
-    const Real d_u = shape_u[i - 1] - Real(ge_bezier_neutral(m, i - 1));
-    const Vec3<Real>&pi0 = net[i * stride], pin = net[i * stride + n];
-    const Vec3<Real> left = pi0 - scaled(1.0 - u, p00) - scaled(u, pm0);    // row ends less the bilinear patch
-    const Vec3<Real> right = pin - scaled(1.0 - u, p0n) - scaled(u, pmn);
-    const Vec3<Real> w = right - left;
-    const Real z_factor = Real(sq_coons_weight(m, i)) * d_u;
+    const double lower = rest_u[i], upper = share_u[i];
+    // The row's end less the bilinear patch of the corners, at v = 0.
+    const Vec3<Real> left = net[i * stride] - scaled(lower, net[0]) - scaled(upper, net[m0]);
     for (int j = 1; j < n; ++j) {
-      const double v = double(j) / n;
-      const Vec3<Real>&p0j = net[j], pmj = net[m * stride + j];
-      const Vec3<Real> z = (pmj - p0j) - scaled(1.0 - v, pm0 - p00) - scaled(v, pmn - p0n);
-      const Real w_factor = Real(sq_coons_weight(n, j)) * (shape_v[j - 1] - Real(ge_bezier_neutral(n, j - 1)));
-      net[i * stride + j] = scaled(1.0 - u, p0j) + scaled(u, pmj) + scaled(1.0 - v, left) + scaled(v, right) +
-                            w_factor * w + z_factor * z;
+      net[i * stride + j] = scaled(lower, net[j]) + scaled(upper, net[m0 + j]) + left +
+                            (Real(share_v[j]) + w.factor[j]) * w.direction[i] + z.factor[i] * z.direction[j];
     }
   }
+}
+
+/// Pullback of shape_directions: adds to net_bar.
+template <class Real>
+void shape_directions_pullback(int rows, int row_step, int far, const Vec3<Real>* direction_bar,
+                               Vec3<Real>* net_bar) {
+  Vec3<Real> first_bar, last_bar;
+  for (int k = 1; k < rows; ++k) {
+    const double *share = fractions.value[rows], *rest = fractions.rest[rows];
+    net_bar[k * row_step + far] += direction_bar[k];
+    net_bar[k * row_step] -= direction_bar[k];
+    first_bar += scaled(rest[k], direction_bar[k]);
+    last_bar += scaled(share[k], direction_bar[k]);
+  }
+  net_bar[far] -= first_bar;
+  net_bar[0] += first_bar;
+  net_bar[rows * row_step + far] -= last_bar;
+  net_bar[rows * row_step] += last_bar;
 }
 
 /// Pullback of sq_coons: moves the adjoints of the interior (left as they are) to the boundary's entries of `net_bar`
@@ -56,41 +115,36 @@ void sq_coons(int m, int n, Vec3<Real>* net, const Real* shape_u, const Real* sh
 template <class Real>
 void sq_coons_pullback(int m, int n, const Vec3<Real>* net, const Real* shape_u, const Real* shape_v,
                        Vec3<Real>* net_bar, Real* shape_u_bar, Real* shape_v_bar) {
-  const int stride = n + 1;
-  const int m0 = m * stride, mn = m0 + n;
+  const int stride = n + 1, m0 = m * stride;
+  const double *share_u = fractions.value[m], *rest_u = fractions.rest[m], *share_v = fractions.value[n];
+  ShapeMoves<Real> w, z;
+  shape_directions(m, stride, n, net, w);
+  shape_directions(n, 1, m0, net, z);
+  shape_factors(n, shape_v, w);
+  shape_factors(m, shape_u, z);
+  Vec3<Real> w_bar[max_patch_degree], z_bar[max_patch_degree] = {};
   for (int i = 1; i < m; ++i) {
-    const double u = double(i) / m;
-    const int i0 = i * stride, in = i0 + n;
-    const Vec3<Real> w = net[in] - net[i0] - scaled(1.0 - u, net[n] - net[0]) - scaled(u, net[mn] - net[m0]);
-    const Real z_factor = Real(sq_coons_weight(m, i)) * (shape_u[i - 1] - Real(ge_bezier_neutral(m, i - 1)));
-    Vec3<Real> left_bar, right_bar, w_bar;
+    const double lower = rest_u[i], upper = share_u[i];
+    Vec3<Real> left_bar, row_bar;
+    Real shape_bar{};
     for (int j = 1; j < n; ++j) {
-      const double v = double(j) / n;
-      const Vec3<Real>& bar = net_bar[i0 + j];
-      const Vec3<Real> z = (net[m0 + j] - net[j]) - scaled(1.0 - v, net[m0] - net[0]) - scaled(v, net[mn] - net[n]);
-      const Real w_factor = Real(sq_coons_weight(n, j)) * (shape_v[j - 1] - Real(ge_bezier_neutral(n, j - 1)));
-      shape_u_bar[i - 1] += Real(sq_coons_weight(m, i)) * dot(z, bar);
-      shape_v_bar[j - 1] += Real(sq_coons_weight(n, j)) * dot(w, bar);
-      const Vec3<Real> z_bar = z_factor * bar;
-      w_bar += w_factor * bar;
-      left_bar += scaled(1.0 - v, bar);
-      right_bar += scaled(v, bar);
-      net_bar[j] += scaled(1.0 - u, bar) - z_bar;
-      net_bar[m0 + j] += scaled(u, bar) + z_bar;
-      net_bar[0] += scaled(1.0 - v, z_bar);
-      net_bar[m0] -= scaled(1.0 - v, z_bar);
-      net_bar[n] += scaled(v, z_bar);
-      net_bar[mn] -= scaled(v, z_bar);
+      const Vec3<Real>& bar = net_bar[i * stride + j];
+      shape_bar += dot(z.direction[j], bar);
+      shape_v_bar[j - 1] += Real(sq_coons_table.weight[n][j]) * dot(w.direction[i], bar);
+      row_bar += (Real(share_v[j]) + w.factor[j]) * bar;
+      z_bar[j] += z.factor[i] * bar;
+      left_bar += bar;
+      net_bar[j] += scaled(lower, bar);
+      net_bar[m0 + j] += scaled(upper, bar);
     }
-    right_bar += w_bar;
-    left_bar -= w_bar;
-    net_bar[i0] += left_bar;
-    net_bar[0] -= scaled(1.0 - u, left_bar);
-    net_bar[m0] -= scaled(u, left_bar);
-    net_bar[in] += right_bar;
-    net_bar[n] -= scaled(1.0 - u, right_bar);
-    net_bar[mn] -= scaled(u, right_bar);
+    shape_u_bar[i - 1] += Real(sq_coons_table.weight[m][i]) * shape_bar;
+    w_bar[i] = row_bar;
+    net_bar[i * stride] += left_bar;
+    net_bar[0] -= scaled(lower, left_bar);
+    net_bar[m0] -= scaled(upper, left_bar);
   }
+  shape_directions_pullback(m, stride, n, w_bar, net_bar);
+  shape_directions_pullback(n, 1, m0, z_bar, net_bar);
 }
 
 }  // namespace BODYLINE_ISA_NAMESPACE

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "model/cut.hpp"
 #include "model/elevation.hpp"
 #include "model/isa_namespace.hpp"
 #include "model/plane_solve.hpp"
@@ -36,9 +35,10 @@ void transition_handle(int n, const TransitionSide<Real>& side, bool leaning, Ve
   const Vec3<Real> across0 = side.edge[0] - side.second[0], across1 = side.edge[n] - side.second[n];
   const Real move0 = side.lean[0] * reach * sqrt(dot(across0, across0) / dot(first, first));
   const Real move1 = -side.lean[1] * reach * sqrt(dot(across1, across1) / dot(last, last));
-  for (int j = 0; j <= n; ++j) {
-    if (j < n) handle[j] += Real(double(n - j) / n) * (move0 * (side.edge[j + 1] - side.edge[j]));
-    if (j > 0) handle[j] += Real(double(j) / n) * (move1 * (side.edge[j] - side.edge[j - 1]));
+  for (int k = 0; k < n; ++k) {
+    const Vec3<Real> step = side.edge[k + 1] - side.edge[k];
+    handle[k] += (Real(fractions.rest[n][k]) * move0) * step;
+    handle[k + 1] += (Real(fractions.value[n][k + 1]) * move1) * step;
   }
 }
 
@@ -68,7 +68,7 @@ void transition_handle_pullback(int n, const TransitionSide<Real>& side, bool le
       for (int k = 0; k < n; ++k) {
         // Step k of the edge appears in handle k (end 0) or handle k + 1 (end 1), by the product with beta.
         const int row = end == 0 ? k : k + 1;
-        const double weight = end == 0 ? double(n - k) / n : double(k + 1) / n;
+        const double weight = end == 0 ? fractions.rest[n][k] : fractions.value[n][k + 1];
         move_bar += Real(weight) * dot(handle_bar[row], side.edge[k + 1] - side.edge[k]);
         const Vec3<Real> step_bar = (Real(weight) * move) * handle_bar[row];
         bar.edge[k + 1] += step_bar;
@@ -100,27 +100,29 @@ double branch_value(const Real& value) {
   }
 }
 
+/// `yes` where x >= floor, else `no`. A type of several lanes brings its own.
+template <class Real>
+Real where_at_least(const Real& x, const Real& floor, const Real& yes, const Real& no) {
+  return branch_value(x) >= branch_value(floor) ? yes : no;
+}
+
 /// x where it is at least `floor`, else a positive number below it that fades out as x falls: twice continuously
-/// differentiable, increasing, floor / (1 + y + y^2) with y = 1 - x / floor.
+/// differentiable, increasing, floor / (1 + y + y^2) with y = 1 - x / floor. The floor must be positive.
 template <class Real>
 Real lifted(const Real& x, const Real& floor) {
-  if (branch_value(x) >= branch_value(floor)) return x;
   const Real y = Real(1.0) - x / floor;
-  return floor / (Real(1.0) + y + y * y);
+  return where_at_least(x, floor, x, floor / (Real(1.0) + y + y * y));
 }
 
 /// Pullback of lifted: adds to the adjoints of both arguments.
 template <class Real>
 void lifted_pullback(const Real& x, const Real& floor, const Real& bar, Real& x_bar, Real& floor_bar) {
-  if (branch_value(x) >= branch_value(floor)) {
-    x_bar += bar;
-    return;
-  }
-  const Real y = Real(1.0) - x / floor;
+  const Real ratio = x / floor;
+  const Real y = Real(1.0) - ratio;
   const Real factor = Real(1.0) / (Real(1.0) + y + y * y);
   const Real slope = (Real(1.0) + y + y) * factor * factor;
-  x_bar += slope * bar;
-  floor_bar += (factor - slope * (x / floor)) * bar;
+  x_bar += where_at_least(x, floor, bar, slope * bar);
+  floor_bar += where_at_least(x, floor, Real(0.0), (factor - slope * ratio) * bar);
 }
 
 /// An uncut side's handle reaches across by at least this part of what a side cut as wide as its neighbour would.
@@ -151,12 +153,12 @@ void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* tar
   const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
   const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
   const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
-  Vec3<Real> sum[max_patch_degree + 2] = {}, lean[max_patch_degree + 2] = {};
-  multiply_add(1, n, f, across, sum);
-  multiply_add(1, n - 1, beta, along, lean);
+  Vec3<Real> sum[max_patch_degree + 2], lean[max_patch_degree + 1];
+  multiply_linear(n, f, across, sum);
+  multiply_linear(n - 1, beta, along, lean);
   Vec3<Real> raised_lean[max_patch_degree + 2];
-  elevate(n, 1, lean, raised_lean);
-  elevate(n, 1, side.edge, raised_edge);
+  elevate_once(n, lean, raised_lean);
+  elevate_once(n, side.edge, raised_edge);
   for (int j = 0; j <= n + 1; ++j) handle[j] = raised_edge[j] + scaled(1.0 / 3.0, sum[j] + raised_lean[j]);
 }
 
@@ -174,16 +176,16 @@ void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<R
     sum_bar[j] = scaled(1.0 / 3.0, handle_bar[j]);
     edge_bar[j] = handle_bar[j] + raised_edge_bar[j];
   }
-  elevate_pullback(n, 1, edge_bar, bar.edge);
-  Vec3<Real> lean_bar[max_patch_degree + 2] = {};
-  elevate_pullback(n, 1, sum_bar, lean_bar);
+  elevate_once_pullback(n, edge_bar, bar.edge);
+  Vec3<Real> lean_bar[max_patch_degree + 1] = {};
+  elevate_once_pullback(n, sum_bar, lean_bar);
   const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
   const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
   const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
   Real f_bar[2] = {}, beta_bar[2] = {};
   Vec3<Real> across_bar[max_patch_degree + 1] = {}, along_bar[max_patch_degree + 1] = {};
-  multiply_add_pullback(1, n, f, across, sum_bar, f_bar, across_bar);
-  multiply_add_pullback(1, n - 1, beta, along, lean_bar, beta_bar, along_bar);
+  multiply_linear_pullback(n, f, across, sum_bar, f_bar, across_bar);
+  multiply_linear_pullback(n - 1, beta, along, lean_bar, beta_bar, along_bar);
   for (int end = 0; end < 2; ++end) {
     const int at = end == 0 ? 0 : n, step = end == 0 ? 0 : n - 1;
     Vec3<Real> aim_bar;
