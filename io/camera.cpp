@@ -11,8 +11,8 @@
 namespace bodyline::io {
 namespace {
 
-// Distance of the eye in diagonals of the body: a field of view of about 20 degrees.
-constexpr double long_lens = 2.6;
+// Distance of the eye in diagonals of the body: a field of view of about 17 degrees.
+constexpr double long_lens = 3.2;
 
 const std::vector<std::pair<std::string, View>>& named_views() {
   static const std::vector<std::pair<std::string, View>> views{

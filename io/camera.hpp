@@ -9,7 +9,7 @@ namespace bodyline::io {
 /// Where the body is looked at from. Azimuth 0 looks at the front, 90 at the left side, 180 at the
 /// rear, 270 at the right side; elevation 0 is level, 90 looks straight down. Degrees.
 struct View {
-  double azimuth = 38.0, elevation = 16.0;
+  double azimuth = 38.0, elevation = 13.0;
   bool perspective = true;  ///< a long lens; otherwise parallel projection
 };
 

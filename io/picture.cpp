@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace bodyline::io {
 namespace {
@@ -28,25 +27,24 @@ std::array<std::uint8_t, 3> Picture::pixel(int x, int y) const {
   return {rgb[at], rgb[at + 1], rgb[at + 2]};
 }
 
-void write_png(const Picture& picture, const fs::path& path, Overwrite overwrite) {
-  if (overwrite == Overwrite::no && fs::exists(path)) {
-    fail("write", path, "the file exists; choose another name or allow it to be replaced");
-  }
+std::vector<std::uint8_t> png_bytes(const Picture& picture) {
   png_image image = empty_image();
   image.width = static_cast<png_uint_32>(picture.width);
   image.height = static_cast<png_uint_32>(picture.height);
   image.format = PNG_FORMAT_RGB;
   image.flags = PNG_IMAGE_FLAG_FAST;  // a third of the time for files a tenth larger
-  fs::path part = path;
-  part += ".part";
-  if (!png_image_write_to_file(&image, part.c_str(), 0, picture.rgb.data(), 0, nullptr)) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    fail("write", path, image.message);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<std::uint8_t> bytes(size);
+  if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgb.data(), 0, nullptr)) {
+    throw std::runtime_error(std::string("cannot encode a picture: ") + image.message);
   }
-  std::error_code error;
-  fs::rename(part, path, error);
-  if (error) fail("write", path, error.message());
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_png(const Picture& picture, const fs::path& path, Overwrite overwrite) {
+  const std::vector<std::uint8_t> bytes = png_bytes(picture);
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, overwrite);
 }
 
 Picture read_png(const fs::path& path) {

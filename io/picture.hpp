@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/write_file.hpp"
+
 namespace bodyline::io {
 
 /// A picture of 8 bits per channel, sRGB, rows from the top.
@@ -15,13 +17,12 @@ struct Picture {
   std::array<std::uint8_t, 3> pixel(int x, int y) const;
 };
 
-/// Whether a file that exists already may be replaced.
-enum class Overwrite { no, yes };
+/// The picture as a PNG file in memory. Throws std::runtime_error when it cannot be encoded.
+std::vector<std::uint8_t> png_bytes(const Picture& picture);
 
-/// Writes a PNG file; it appears under its name only when it is complete.
-/// Throws std::runtime_error when the file exists and must not be replaced, or cannot be written.
+/// Writes a PNG file. Throws as write_file does.
 void write_png(const Picture& picture, const std::filesystem::path& path,
-               Overwrite overwrite = Overwrite::no);
+               Overwrite overwrite = Overwrite::never);
 
 /// Reads a PNG file of any kind as 8-bit RGB over white. Throws std::runtime_error when it cannot.
 Picture read_png(const std::filesystem::path& path);

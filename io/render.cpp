@@ -78,6 +78,13 @@ bool differs_from_neighbours(const Canvas& canvas, int x, int y) {
   return false;
 }
 
+// What is added before rounding down, 0 to 1: an ordered pattern that hides the steps of soft
+// gradients.
+float dither(int x, int y) {
+  constexpr int pattern[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+  return (static_cast<float>(pattern[y % 4][x % 4]) + 0.5f) / 16.0f * 0.999f;
+}
+
 /// Reports how much of two passes over all tiles is done.
 class TileProgress {
  public:
@@ -123,7 +130,7 @@ Picture traced(const Painter& painter, const RenderOptions& options) {
     const Color color = refine ? pixel_color(painter, x, y, grid) : first.at(x, y);
     for (int c = 0; c < 3; ++c) {
       picture.rgb[3 * (static_cast<std::size_t>(y) * width + x) + c] =
-          static_cast<std::uint8_t>(std::lround(255.0f * color[c]));
+          static_cast<std::uint8_t>(255.0f * color[c] + dither(x, y));
     }
   });
   return picture;

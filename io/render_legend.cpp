@@ -18,8 +18,8 @@ double text_height(int width, int height) {
 }
 
 constexpr double margin = 2.2;   // around the text, in text heights
-constexpr double row = 1.75;     // of a list, in text heights
-constexpr double column = 13.0;  // of a list
+constexpr double row = 1.65;     // of a list, in text heights
+constexpr double column = 11.3;  // of a list
 constexpr double bar_width = 26.0, bar_height = 0.95;
 
 // A Cairo canvas over a picture.
@@ -120,7 +120,7 @@ std::string caption(const MapColors& colors) {
     case Map::isophotes:
       return "angle between normal and vertical, degrees";
     case Map::zebra:
-      return "reflected stripes, one pair per 10\u00b0 of elevation";
+      return "reflected stripes, one pair per 15\u00b0 of elevation";
     default:
       return "";
   }
@@ -137,8 +137,10 @@ struct ListLayout {
 ListLayout list_layout(int width, int height, std::size_t entries) {
   const double unit = text_height(width, height);
   const int fit = std::max(1, static_cast<int>((width - 2.0 * margin * unit) / (column * unit)));
-  const int columns = std::min(fit, static_cast<int>(entries));
-  return {columns, columns == 0 ? 0 : (static_cast<int>(entries) + columns - 1) / columns};
+  const int count = static_cast<int>(entries);
+  if (count == 0) return {};
+  const int rows = (count + fit - 1) / fit;
+  return {(count + rows - 1) / rows, rows};
 }
 
 void draw_list(Canvas& canvas, const Picture& picture,
@@ -152,9 +154,9 @@ void draw_list(Canvas& canvas, const Picture& picture,
     const double x = left + (at % layout.columns) * column * unit;
     const double y = top + (at / layout.columns) * row * unit;
     canvas.color(entries[k].color);
-    canvas.fill(x, y, 1.1 * unit, 1.1 * unit);
+    canvas.fill(x, y, unit, unit);
     canvas.color(ink);
-    canvas.text(x + 1.6 * unit, y + 0.93 * unit, unit, 0.0, entries[k].name);
+    canvas.text(x + 1.4 * unit, y + 0.82 * unit, 0.86 * unit, 0.0, entries[k].name);
   }
 }
 
@@ -202,7 +204,7 @@ Frame body_frame(int width, int height, const MapColors& colors, bool with_title
   if (list > 0) bottom = (0.6 * margin + row * list) * unit;
   const double side = 0.045 * width, edge = std::max(0.045 * height, margin * unit);
   const double top = edge + (with_title ? 2.0 * unit : 0.0);
-  const double low = height - edge - bottom;
+  const double low = height - std::max(edge + bottom, 0.085 * height);
   return {side, top, width - side, std::max(low, top + 0.2 * height)};
 }
 

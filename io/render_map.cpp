@@ -22,7 +22,7 @@ constexpr std::array<std::pair<Map, const char*>, 7> names{{
     {Map::stages, "stages"},
 }};
 
-constexpr double zebra_stripe = 10.0;  // degrees, a dark and a light half together
+constexpr double zebra_stripe = 15.0;  // degrees, a dark and a light half together
 constexpr double range_share = 0.90;
 constexpr int range_samples = 8;  // per direction and face
 
@@ -138,7 +138,7 @@ MapColors::MapColors(const std::vector<model::Surface>& faces, Map map, std::opt
     range_ = range ? *range : curvature_range(faces, map);
   if (map == Map::patches) entries_ = patch_entries(faces);
   if (map == Map::stages) entries_ = stage_entries();
-  const Color paint = color_from_srgb(124, 143, 163);
+  const Color paint = color_from_srgb(86, 110, 138);
   for (const model::Surface& face : faces) {
     inward_.push_back(face.inward);
     Color color = paint;
@@ -178,7 +178,7 @@ Color isophote_color(double angle) {
   constexpr double band = 5.0;  // degrees, a deep and a pale one in turn
   const int index = static_cast<int>(angle / band);
   const Color color = sequential_color(1.0 - (index + 0.5) * band / isophote_end);
-  return index % 2 == 0 ? color : Color(0.62f * color + 0.38f);
+  return index % 2 == 0 ? color : Color(0.72f * color + 0.28f);
 }
 
 }  // namespace bodyline::io

@@ -16,7 +16,7 @@ enum class Map {
   shade,           ///< paint in a studio
   mean_curvature,  ///< 1/m, positive where the body bulges outwards
   gauss,           ///< Gauss curvature, 1/m^2
-  zebra,           ///< stripes every 10 degrees of elevation of the mirrored ray
+  zebra,           ///< stripes every 15 degrees of elevation of the mirrored ray
   isophotes,       ///< bands every 5 degrees of the angle between the normal and straight up
   patches,         ///< one colour per patch; transitions and corners grey
   stages,          ///< patches, transitions and corners in three colours

@@ -86,8 +86,8 @@ Color Painter::floor_color(const Ray& ray, const Color& background) const {
   const double above = ray.origin.z() - occlusion_.ground_height();
   Eigen::Vector3d floor;
   if (camera_.towards().z() == 0.0 && !camera_.perspective()) {
-    if (above >= 0.0) return background;
-    const double along = nearest_ - above / std::tan(floor_tilt * std::numbers::pi / 180.0);
+    const double depth = above < 0.0 ? -above : 3.0 * above;
+    const double along = nearest_ + depth / std::tan(floor_tilt * std::numbers::pi / 180.0);
     floor = ray.origin + (along - ray.origin.dot(camera_.towards())) * camera_.towards();
     return background * floor_light(occlusion_.ground(floor.x(), floor.y()));
   }

@@ -49,10 +49,10 @@ Color studio_light(const Eigen::Vector3d& d, double blur) {
   const double edge = 0.12 + 1.2 * blur, lamps = 1.0 / (1.0 + 1.2 * blur);
   double light = sky(d.z(), blur);
   light +=
-      2.6 * lamps * panel(d.z(), d.y(), d.x() + 0.15 * d.z(), 0.42, -1.9, 1.9, edge);  // overhead
-  light += 1.1 * lamps * panel(std::abs(d.y()), d.x(), d.z(), 2.4, 0.38, 0.72, edge);  // both sides
-  light += 0.9 * lamps * panel(-d.x(), d.y(), d.z(), 1.0, 0.42, 0.80, edge);           // in front
-  light += 1.3 * lamps * panel(d.x(), d.y(), d.z(), 1.3, 0.25, 0.60, edge);  // behind: the rim
+      2.1 * lamps * panel(d.z(), d.y(), d.x() + 0.15 * d.z(), 0.42, -1.9, 1.9, edge);  // overhead
+  light += 0.8 * lamps * panel(std::abs(d.y()), d.x(), d.z(), 2.4, 0.38, 0.72, edge);  // both sides
+  light += 0.6 * lamps * panel(-d.x(), d.y(), d.z(), 1.0, 0.42, 0.80, edge);           // in front
+  light += 0.8 * lamps * panel(d.x(), d.y(), d.z(), 1.3, 0.25, 0.60, edge);  // behind: the rim
   const float l = static_cast<float>(light);
   return {0.985f * l, 0.995f * l, 1.02f * l};
 }
@@ -69,15 +69,15 @@ Color paint(const ShadedPoint& point, const Color& base, const Occlusion& occlus
     floor_open = floor_light(occlusion.ground(point.position.x() + distance * mirror.x(),
                                               point.position.y() + distance * mirror.y()));
   }
-  const double hemisphere = 0.42 + 0.58 * smooth_step(-0.9, 1.0, n.z());
-  const double camera_fill = 0.22 * facing;
+  const double hemisphere = 0.30 + 0.70 * smooth_step(-0.9, 1.0, n.z());
+  const double camera_fill = 0.20 * facing;
   const float diffuse = static_cast<float>(point.open * (hemisphere + camera_fill));
   const float sheen = static_cast<float>((0.35 + 0.65 * point.open) * (0.4 + 0.6 * floor_open));
-  const float coat = static_cast<float>((0.05 + 0.75 * std::pow(1.0 - facing, 5.0)) *
-                                        (0.25 + 0.75 * point.open) * floor_open);
-  const Color light = base * (0.62f * diffuse) +
-                      base * studio_light(mirror, 0.55) * (0.55f * sheen) +
-                      studio_light(mirror, 0.05) * coat;
+  const double fresnel = 0.07 + 0.80 * std::pow(1.0 - facing, 4.0);
+  const float coat = static_cast<float>(fresnel * (0.25 + 0.75 * point.open) * floor_open);
+  const Color light = base * (0.50f * diffuse) +
+                      base * studio_light(mirror, 0.22) * (0.85f * sheen) +
+                      studio_light(mirror, 0.02) * coat;
   return tone_mapped(light);
 }
 
