@@ -134,11 +134,11 @@ std::vector<Surface> make_house(unsigned seed) {
   house.push_back(elevated(make_face(frame, "front", 0, 1, 5, 4), high_degree));
   house.back().blend = Eigen::Vector3d(4.0, -18.0, 7.0);
   house.push_back(transposed(make_face(frame, "side", 1, 2, 6, 5)));
-  house.push_back(reversed_u(make_face(frame, "back", 2, 3, 7, 6)));
+  house.push_back(make_face(frame, "back", 2, 3, 7, 6));
   house.push_back(transposed(reversed_u(make_face(frame, "side.right", 3, 0, 4, 7))));
   house.push_back(elevated(make_face(frame, "roof_front", 4, 5, apex, apex), high_degree));
-  house.push_back(
-      transposed(elevated(make_face(frame, "roof_side", 5, 6, apex, apex), high_degree)));
+  house.push_back(reversed_u(
+      transposed(elevated(make_face(frame, "roof_side", 5, 6, apex, apex), high_degree))));
   house.push_back(
       reversed_u(elevated(make_face(frame, "roof_back", 6, 7, apex, apex), high_degree)));
   house.push_back(transposed(reversed_u(make_face(frame, "roof_side.right", 7, 4, apex, apex))));

@@ -123,15 +123,17 @@ TEST(MeshOfHouse, RefusesAToleranceBelowSinglePrecision) {
 TEST(SidesOfHouse, EveryCurveIsSharedByTwoFacesAndTheApexHasFourPoints) {
   const auto house = make_house();
   const io::SideGraph graph = io::match_sides(house);
-  int shared = 0, degenerate = 0;
+  int shared = 0, degenerate = 0, reversed = 0;
   for (const io::SharedCurve& curve : graph.curves) {
     shared += curve.uses.size() == 2;
     degenerate += curve.degenerate;
+    reversed += curve.uses.back().reversed;
     EXPECT_TRUE(curve.degenerate || curve.uses.size() == 2);
     EXPECT_LE(curve.gap_mm, 1e-9);
   }
   EXPECT_EQ(shared, 16);
   EXPECT_EQ(degenerate, 4);
+  EXPECT_GT(reversed, 2);  // else the house would not try what it is for
   EXPECT_EQ(graph.vertices.size(), 9u);
 }
 
