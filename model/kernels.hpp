@@ -20,8 +20,8 @@ struct FaceRule {
   const double* blend = nullptr;
 };
 
-/// Parameters of the fold barrier: nodes whose normal makes a cosine below `cosine` with the face's
-/// mean normal pay
+/// Parameters of the fold barrier: nodes whose normal makes a cosine c below `cosine` (above -1)
+/// with the face's mean normal, the direction of its vector area over the integrated range, pay
 /// ((cosine - c) / (1 + cosine))^3; the mean over the nodes is the term's value.
 struct FoldOptions {
   double cosine = 0.25;
@@ -51,7 +51,8 @@ struct Kernels {
   /// order 1, 2 or 3.
   void (*jets)(const FaceRule&, const double* net, const double* blend, int order,
                double* out) = nullptr;
-  /// Mean and Gauss curvature at all nodes, each nodes*nodes doubles, [kv][ku].
+  /// Mean and Gauss curvature at all nodes, each nodes*nodes doubles, [kv][ku]. The mean curvature
+  /// is positive where the face bends towards Su x Sv.
   void (*curvature)(const FaceRule&, const double* net, const double* blend, double* mean,
                     double* gauss) = nullptr;
 };
