@@ -5,14 +5,18 @@
 #include <memory>
 #include <stdexcept>
 
+#include "model/build.hpp"
+#include "model/check_fold.hpp"
 #include "optimize/fairness_problem.hpp"
 
 namespace bodyline::optimize {
 namespace {
 
-// How often a run is repeated with a stronger barrier while a face still folds.
-constexpr int barrier_rounds = 3;
+// How often a run is repeated with a stronger barrier while a face still folds. The barrier sees the nodes only and a
+// face folds at its rim first, so it also starts to act at a smaller turn.
+constexpr int barrier_rounds = 4;
 constexpr double barrier_growth = 10.0;
+constexpr double barrier_cosine_step = 0.1;
 
 bool on_faces(const model::Term& term) {
   return term.kind != model::TermKind::closeness && term.kind != model::TermKind::fold;
@@ -50,7 +54,8 @@ std::vector<int> select_variables(const model::VariableMap& map, const FairOptio
 class Tuner {
  public:
   Tuner(const model::Model& model, const FairOptions& options)
-      : options_(options),
+      : model_(model),
+        options_(options),
         context_(std::make_shared<model::BodyContext>(model, options.bounds)),
         selected_(select_variables(context_->map, options)),
         terms_(with_barriers(options.terms, options.fold_weight)),
@@ -58,7 +63,7 @@ class Tuner {
     if (!(options.within > 0.0)) throw std::invalid_argument("the distance that curves may move must be positive");
   }
 
-  FairResult run(const model::Model& model);
+  FairResult run();
 
  private:
   model::Evaluator evaluator(const std::vector<model::Term>& terms, int nodes,
@@ -83,7 +88,11 @@ class Tuner {
   Eigen::VectorXd search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x, FairResult& result) const;
   std::vector<std::string> folded_faces(const Eigen::VectorXd& x) const;
 
+  model::Model model_at(const Eigen::VectorXd& x) const;
+
+  model::Model model_;
   FairOptions options_;
+  model::FoldOptions fold_;  // of the barrier while searching
   std::shared_ptr<model::BodyContext> context_;
   std::vector<int> selected_;
   std::vector<model::Term> terms_;
@@ -92,7 +101,7 @@ class Tuner {
 
 Eigen::VectorXd Tuner::search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x,
                               FairResult& result) const {
-  model::Evaluator coarse = evaluator(terms, options_.nodes);
+  model::Evaluator coarse = evaluator(terms, options_.nodes, fold_);
   FairnessProblem problem(coarse, options_.within);
   if (options_.search.algorithm == Algorithm::ceres_lm) problem.use_residuals();
   Options search = options_.search;
@@ -134,28 +143,32 @@ Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) cons
   return unfolded;
 }
 
-// Faces on which a normal turns by more than 90 degrees against the face's mean normal.
+model::Model Tuner::model_at(const Eigen::VectorXd& x) const {
+  model::Model model = model_;
+  Eigen::VectorXd parameters = context_->parameters;
+  context_->map.scatter(selected_, x, parameters);
+  model::set_parameters(model, context_->plan.layout, parameters);
+  return model;
+}
+
+// Faces under a barrier on which a normal turns by more than 90 degrees against the face's mean normal.
 std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
-  const model::FoldOptions right_angle{0.0};
   std::vector<std::string> names;
+  const model::Model model = model_at(x);
   for (const model::Term& term : terms_) {
     if (term.kind != model::TermKind::fold) continue;
-    for (const model::Face& face : context_->plan.faces(term.stage)) {
+    for (const model::Surface& face : model::build(model, term.stage, model::Halves::left_and_central)) {
       const bool chosen = term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
                             return model::name_matches(p, face.name);
                           });
-      if (!chosen) continue;
-      model::Evaluator one = evaluator({{model::TermKind::fold, 1.0, term.stage, {face.name}}}, options_.report_nodes,
-                                       right_angle);
-      if (one.evaluate(x, nullptr) > 0.0) {
-        names.push_back(face.name + (term.stage == model::Stage::base ? " (whole patch)" : ""));
-      }
+      if (!chosen || !model::check_fold(face).folded) continue;
+      names.push_back(face.name + (term.stage == model::Stage::base ? " (whole patch)" : ""));
     }
   }
   return names;
 }
 
-FairResult Tuner::run(const model::Model& model) {
+FairResult Tuner::run() {
   FairResult result;
   const Eigen::VectorXd given = context_->map.gather(selected_, context_->parameters);
   result.terms = terms_;
@@ -176,6 +189,7 @@ FairResult Tuner::run(const model::Model& model) {
     for (model::Term& term : terms) {
       if (term.kind == model::TermKind::fold) term.weight *= barrier_growth;
     }
+    fold_.cosine += barrier_cosine_step;
   }
   result.end = measure(x);
   if (!(result.end.value <= result.start.value)) {
@@ -188,16 +202,13 @@ FairResult Tuner::run(const model::Model& model) {
   for (int v : selected_) result.variables.push_back(context_->map.variables()[v].name);
   result.start_values = given;
   result.end_values = x;
-  result.model = model;
-  Eigen::VectorXd parameters = context_->parameters;
-  context_->map.scatter(selected_, x, parameters);
-  model::set_parameters(result.model, context_->plan.layout, parameters);
+  result.model = model_at(x);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   return result;
 }
 
 }  // namespace
 
-FairResult fair(const model::Model& model, const FairOptions& options) { return Tuner(model, options).run(model); }
+FairResult fair(const model::Model& model, const FairOptions& options) { return Tuner(model, options).run(); }
 
 }  // namespace bodyline::optimize
