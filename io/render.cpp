@@ -47,13 +47,13 @@ void check(const std::vector<model::Surface>& faces, const RenderOptions& option
   }
 }
 
-/// The picture before it is rounded to bytes: sRGB values from 0 to 1.
-struct Canvas {
+/// One ray through the middle of each pixel; colours are sRGB from 0 to 1.
+struct FirstPass {
   int width = 0, height = 0;
-  std::vector<Color> pixels;
+  std::vector<Seen> pixels;
 
-  Color& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
-  const Color& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  Seen& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  const Seen& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
 Color to_srgb(const Color& linear) {
@@ -61,19 +61,24 @@ Color to_srgb(const Color& linear) {
 }
 
 // Mean of grid x grid rays through a pixel.
-Color pixel_color(const Painter& painter, int x, int y, int grid) {
+Color refined(const Painter& painter, int x, int y, int grid) {
   Color sum = Color::Zero();
   for (int k = 0; k < grid * grid; ++k) {
-    sum += painter.color(x + (k % grid + 0.5) / grid, y + (k / grid + 0.5) / grid);
+    sum += painter.look(x + (k % grid + 0.5) / grid, y + (k / grid + 0.5) / grid).color;
   }
   return to_srgb(sum / static_cast<float>(grid * grid));
 }
 
-bool differs_from_neighbours(const Canvas& canvas, int x, int y) {
+// Whether something visible ends near the middle of a pixel. A change of face counts as well:
+// between two large faces there may be one thinner than a pixel.
+bool needs_refinement(const FirstPass& pass, int x, int y) {
+  const Seen& here = pass.at(x, y);
   for (int k = 0; k < 9; ++k) {
-    const int nx = std::clamp(x + k % 3 - 1, 0, canvas.width - 1);
-    const int ny = std::clamp(y + k / 3 - 1, 0, canvas.height - 1);
-    if ((canvas.at(nx, ny) - canvas.at(x, y)).abs().maxCoeff() > visible_step) return true;
+    const int nx = std::clamp(x + k % 3 - 1, 0, pass.width - 1);
+    const int ny = std::clamp(y + k / 3 - 1, 0, pass.height - 1);
+    const Seen& there = pass.at(nx, ny);
+    if (there.face != here.face) return true;
+    if ((there.color - here.color).abs().maxCoeff() > visible_step) return true;
   }
   return false;
 }
@@ -117,17 +122,19 @@ void for_each_pixel(int width, int height, TileProgress& progress, const Action&
 Picture traced(const Painter& painter, const RenderOptions& options) {
   const int width = options.width, height = options.height;
   const int grid = static_cast<int>(std::ceil(std::sqrt(options.samples) - 1e-9));
-  Canvas first{width, height, {}};
+  FirstPass first{width, height, {}};
   first.pixels.resize(static_cast<std::size_t>(width) * height);
   Picture picture{width, height, {}};
   picture.rgb.resize(first.pixels.size() * 3);
   TileProgress progress(((width + tile - 1) / tile) * ((height + tile - 1) / tile),
                         options.on_progress);
-  for_each_pixel(width, height, progress,
-                 [&](int x, int y) { first.at(x, y) = pixel_color(painter, x, y, 1); });
   for_each_pixel(width, height, progress, [&](int x, int y) {
-    const bool refine = grid > 1 && differs_from_neighbours(first, x, y);
-    const Color color = refine ? pixel_color(painter, x, y, grid) : first.at(x, y);
+    const Seen seen = painter.look(x + 0.5, y + 0.5);
+    first.at(x, y) = {to_srgb(seen.color), seen.face};
+  });
+  for_each_pixel(width, height, progress, [&](int x, int y) {
+    const bool refine = grid > 1 && needs_refinement(first, x, y);
+    const Color color = refine ? refined(painter, x, y, grid) : first.at(x, y).color;
     for (int c = 0; c < 3; ++c) {
       picture.rgb[3 * (static_cast<std::size_t>(y) * width + x) + c] =
           static_cast<std::uint8_t>(255.0f * color[c] + dither(x, y));

@@ -24,7 +24,8 @@ constexpr std::array<std::pair<Map, const char*>, 7> names{{
 
 constexpr double zebra_stripe = 15.0;  // degrees, a dark and a light half together
 constexpr double range_share = 0.90;
-constexpr int range_samples = 8;  // per direction and face
+constexpr int scale_steps = 1024;  // of the colours of a curvature map: finer than the eye
+constexpr int range_samples = 8;   // per direction and face
 
 // In the unit of the map: 1/m and 1/m^2 from 1/mm and 1/mm^2.
 double map_value(Map map, const model::SurfaceJet& jet, bool inward) {
@@ -134,8 +135,12 @@ double curvature_range(const std::vector<model::Surface>& faces, Map map) {
 
 MapColors::MapColors(const std::vector<model::Surface>& faces, Map map, std::optional<double> range)
     : map_(map) {
-  if (map == Map::mean_curvature || map == Map::gauss)
+  if (map == Map::mean_curvature || map == Map::gauss) {
     range_ = range ? *range : curvature_range(faces, map);
+    for (int k = 0; k <= scale_steps; ++k) {
+      scale_.push_back(diverging_color(2.0 * k / scale_steps - 1.0));
+    }
+  }
   if (map == Map::patches) entries_ = patch_entries(faces);
   if (map == Map::stages) entries_ = stage_entries();
   const Color paint = color_from_srgb(86, 110, 138);
@@ -159,7 +164,8 @@ Color MapColors::color(int face, const model::SurfaceJet& jet, const Eigen::Vect
     case Map::mean_curvature:
     case Map::gauss: {
       const double value = map_value(map_, jet, inward_[face]);
-      return std::isfinite(value) ? diverging_color(value / range_) : diverging_color(0.0);
+      const double t = std::isfinite(value) ? std::clamp(value / range_, -1.0, 1.0) : 0.0;
+      return scale_[static_cast<std::size_t>(std::lround((0.5 + 0.5 * t) * scale_steps))];
     }
     case Map::zebra: {
       const Eigen::Vector3d mirror = 2.0 * normal.dot(to_camera) * normal - to_camera;

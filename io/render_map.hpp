@@ -65,6 +65,7 @@ class MapColors {
   double range_ = 1.0;
   std::vector<bool> inward_;
   std::vector<Color> face_colors_;
+  std::vector<Color> scale_;  // of a curvature map, from -range to range
   std::vector<Entry> entries_;
 };
 

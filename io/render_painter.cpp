@@ -55,10 +55,11 @@ Painter::Painter(const std::vector<model::Surface>& faces, const RayScene& scene
   size_ = box.diagonal().norm();
 }
 
-Color Painter::color(double x, double y) const {
+Seen Painter::look(double x, double y) const {
   const Ray ray = camera_.ray(x, y);
-  if (const std::optional<Hit> hit = scene_.first_hit(ray)) return face_color(ray, *hit);
-  return floor_color(ray, backdrop(y / picture_height_));
+  if (const std::optional<Hit> hit = scene_.first_hit(ray))
+    return {face_color(ray, *hit), hit->face};
+  return {floor_color(ray, backdrop(y / picture_height_)), -1};
 }
 
 Color Painter::face_color(const Ray& ray, const Hit& hit) const {

@@ -11,6 +11,12 @@
 
 namespace bodyline::io {
 
+/// What is seen through a point of the picture.
+struct Seen {
+  Color color;    ///< linear light
+  int face = -1;  ///< -1 for the floor and the backdrop
+};
+
 /// The colour seen through any point of the picture. Refers to its arguments, which must outlive
 /// it; queries may run in several threads.
 class Painter {
@@ -19,8 +25,8 @@ class Painter {
           const Occlusion& occlusion, const MapColors& colors, const Camera& camera,
           const std::vector<Eigen::Vector3d>& points, int picture_height);
 
-  /// Linear light at picture position (x, y), pixels from the left and from the top.
-  Color color(double x, double y) const;
+  /// At picture position (x, y), pixels from the left and from the top.
+  Seen look(double x, double y) const;
 
  private:
   Color face_color(const Ray& ray, const Hit& hit) const;
