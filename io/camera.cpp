@@ -14,15 +14,14 @@ namespace {
 // Distance of the eye in diagonals of the body: a field of view of about 17 degrees.
 constexpr double long_lens = 3.2;
 
-const std::vector<std::pair<std::string, View>>& named_views() {
-  static const std::vector<std::pair<std::string, View>> views{
+std::vector<std::pair<std::string, View>> named_views() {
+  return {
       {"iso", View{}},
       {"front", View{0.0, 0.0, false}},
       {"rear", View{180.0, 0.0, false}},
       {"side", View{90.0, 0.0, false}},
       {"top", View{90.0, 90.0, false}},
   };
-  return views;
 }
 
 std::optional<double> number(const std::string& text) {

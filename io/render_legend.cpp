@@ -101,7 +101,7 @@ class Canvas {
   cairo_t* cairo_;
 };
 
-const Color ink = color_from_srgb(58, 64, 74);
+Color ink() { return color_from_srgb(58, 64, 74); }
 
 std::string number_text(double value) {
   std::array<char, 32> text{};
@@ -155,7 +155,7 @@ void draw_list(Canvas& canvas, const Picture& picture,
     const double y = top + (at / layout.columns) * row * unit;
     canvas.color(entries[k].color);
     canvas.fill(x, y, unit, unit);
-    canvas.color(ink);
+    canvas.color(ink());
     canvas.text(x + 1.4 * unit, y + 0.82 * unit, 0.86 * unit, 0.0, entries[k].name);
   }
 }
@@ -180,7 +180,7 @@ void draw_bar(Canvas& canvas, const Picture& picture, const MapColors& colors) {
     canvas.color(color_at(1.0));
     canvas.fill_polygon({{right - 0.5, top}, {right + 0.8 * h, middle}, {right - 0.5, top + h}});
   }
-  canvas.color(ink);
+  canvas.color(ink());
   const double low = isophotes ? 0.0 : -colors.range(),
                high = isophotes ? isophote_end : colors.range();
   const int ticks = isophotes ? 8 : 4;
@@ -218,11 +218,11 @@ void draw_legend(Picture& picture, const MapColors& colors, const std::string& t
   } else if (!colors.entries().empty()) {
     draw_list(canvas, picture, colors.entries());
   } else if (!words.empty()) {
-    canvas.color(ink);
+    canvas.color(ink());
     canvas.text(0.5 * picture.width, picture.height - 1.6 * unit, unit, 0.5, words);
   }
   if (!title.empty()) {
-    canvas.color(ink);
+    canvas.color(ink());
     canvas.text(margin * unit, (margin + 0.9) * unit, 1.35 * unit, 0.0, title);
   }
   canvas.finish();

@@ -50,18 +50,27 @@ double degrees(double cosine) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
 }
 
-std::vector<MapColors::Entry> stage_entries() {
-  return {{"patches", color_from_oklch(0.80, 0.055, 245.0)},
-          {"transitions", color_from_oklch(0.80, 0.130, 75.0)},
-          {"corners", color_from_oklch(0.64, 0.165, 25.0)}};
+// What kinds of faces there are, indexed by FaceKind.
+std::array<bool, 3> kinds_of(const std::vector<model::Surface>& faces) {
+  std::array<bool, 3> kinds{};
+  for (const model::Surface& face : faces) kinds[static_cast<int>(face.kind)] = true;
+  return kinds;
+}
+
+std::vector<MapColors::Entry> stage_entries(const std::vector<model::Surface>& faces) {
+  const std::array<bool, 3> kinds = kinds_of(faces);
+  std::vector<MapColors::Entry> entries;
+  if (kinds[0]) entries.push_back({"patches", color_from_oklch(0.80, 0.055, 245.0)});
+  if (kinds[1]) entries.push_back({"transitions", color_from_oklch(0.80, 0.130, 75.0)});
+  if (kinds[2]) entries.push_back({"corners", color_from_oklch(0.64, 0.165, 25.0)});
+  return entries;
 }
 
 // Patches by name in order of appearance, then greys for the other kinds that occur.
 std::vector<MapColors::Entry> patch_entries(const std::vector<model::Surface>& faces) {
   std::vector<MapColors::Entry> entries;
-  std::array<bool, 3> occurs{};
+  const std::array<bool, 3> kinds = kinds_of(faces);
   for (const model::Surface& face : faces) {
-    occurs[static_cast<int>(face.kind)] = true;
     const std::string name = without_mirror_suffix(face.name);
     const bool known =
         std::any_of(entries.begin(), entries.end(),
@@ -70,8 +79,8 @@ std::vector<MapColors::Entry> patch_entries(const std::vector<model::Surface>& f
   }
   const int count = static_cast<int>(entries.size());
   for (int k = 0; k < count; ++k) entries[k].color = categorical_color(k, count);
-  if (occurs[1]) entries.push_back({"transitions", color_from_srgb(216, 218, 222)});
-  if (occurs[2]) entries.push_back({"corners", color_from_srgb(160, 165, 174)});
+  if (kinds[1]) entries.push_back({"transitions", color_from_srgb(216, 218, 222)});
+  if (kinds[2]) entries.push_back({"corners", color_from_srgb(160, 165, 174)});
   return entries;
 }
 
@@ -142,7 +151,7 @@ MapColors::MapColors(const std::vector<model::Surface>& faces, Map map, std::opt
     }
   }
   if (map == Map::patches) entries_ = patch_entries(faces);
-  if (map == Map::stages) entries_ = stage_entries();
+  if (map == Map::stages) entries_ = stage_entries(faces);
   const Color paint = color_from_srgb(86, 110, 138);
   for (const model::Surface& face : faces) {
     inward_.push_back(face.inward);
