@@ -80,7 +80,7 @@ struct Connectivity {
 /// Derives the connectivity of a model and checks every rule a buildable body keeps; the first broken rule is thrown
 /// as ModelError: known sides and curves, corners that close, equal degrees along joints, each curve used as often
 /// as its role allows, mirror symmetry of central patches, cuts in order and equal along seams, cuts only where a
-/// joint is, counts of shape values, fullness and lean in range, every number finite.
+/// joint is, counts of shape values, fullness and lean in range, a lean at every pillar foot, every number finite.
 Connectivity connect(const Model& model);
 
 /// Number of points of the curve behind a side, less one.
@@ -93,5 +93,7 @@ bool lean_allowed(const Model& model, const Connectivity& links, int joint, int 
 inline constexpr double min_fullness = 0.0, max_fullness = 3.0;
 /// The largest lean, in either direction.
 inline constexpr double max_lean = 5.0;
+/// The least that the two transitions at the end of a seam lean away from it, together.
+inline constexpr double min_seam_lean = 0.01;
 
 }  // namespace bodyline::model

@@ -159,6 +159,29 @@ void check_joint_values(const Model& model, const Connectivity& links) {
   }
 }
 
+// Without a lean both transitions at the end of a seam would leave along it, and their corner patch would have no plane.
+void check_seam_leans(const Model& model, const Connectivity& links) {
+  for (int c = 0; c < int(links.corners.size()); ++c) {
+    if (!links.corners[c].seam) continue;
+    double sum = 0.0;
+    std::string key;
+    for (int j = 0; j < int(model.joints.size()); ++j) {
+      for (int side = 0; side < 2; ++side) {
+        for (int end = 0; end < 2; ++end) {
+          if (links.joints[j].corner[end] != c || !lean_allowed(model, links, j, side, end)) continue;
+          sum += std::abs(model.joints[j].lean[side][end]);
+          key = "joints." + model.joints[j].name + ".lean." + (side == 0 ? "a" : "b");
+        }
+      }
+    }
+    if (sum < min_seam_lean) {
+      throw ModelError(key, "the transitions at corner \"" + model.corners[c].name + "\" lean by " + number_text(sum) +
+                                " in all, but must lean away from the seam that ends there by " +
+                                number_text(min_seam_lean) + " or more; 0.6 each is a good value");
+    }
+  }
+}
+
 }  // namespace
 
 bool lean_allowed(const Model& model, const Connectivity& links, int joint, int side, int end) {
@@ -213,6 +236,7 @@ void check_values(const Model& model, const Connectivity& links) {
   check_cut_places(model, links);
   check_seam_cuts(model, links);
   check_joint_values(model, links);
+  check_seam_leans(model, links);
 }
 
 double signed_volume(const Model& model, const Connectivity& links) {

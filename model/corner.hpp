@@ -93,6 +93,10 @@ void field_twist_pullback(const EndJet<Real>& jet, const PlaneCoordinates<Real>&
   jet_bar.second += value.q * bar;
 }
 
+/// In the norm of the slopes kappa' counts 1 / kappa_ease = 5 times as much as mu': a steep kappa falls below zero
+/// between the vertices, and the corner patch then turns back at the edge.
+inline constexpr double kappa_ease = 0.2;
+
 /// Field values at a regular vertex, and the four slopes (kappa', mu' of both edges) that make both twists agree
 /// in the tangent plane with the least norm.
 template <class Real>
@@ -103,7 +107,7 @@ void regular_vertex(const EndJet<Real>& x, const EndJet<Real>& y, PlaneCoordinat
   y_value = plane_solve(y.inward, y.tangent, x.tangent);
   const PlaneCoordinates<Real> none{};
   const Vec3<Real> gap = field_twist(y, y_value, none) - field_twist(x, x_value, none);
-  const Vec3<Real> column[4] = {x.inward, x.tangent, -y.inward, -y.tangent};
+  const Vec3<Real> column[4] = {scaled(kappa_ease, x.inward), x.tangent, scaled(-kappa_ease, y.inward), -y.tangent};
   const Vec3<Real> axis[2] = {x.tangent, y.tangent};
   Real a[2][4], rhs[2];
   for (int r = 0; r < 2; ++r) {
@@ -118,8 +122,8 @@ void regular_vertex(const EndJet<Real>& x, const EndJet<Real>& y, PlaneCoordinat
   }
   const Real inverse = Real(1.0) / (g00 * g11 - g01 * g01);
   const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse, y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
-  x_slope = {a[0][0] * y0 + a[1][0] * y1, a[0][1] * y0 + a[1][1] * y1};
-  y_slope = {a[0][2] * y0 + a[1][2] * y1, a[0][3] * y0 + a[1][3] * y1};
+  x_slope = {Real(kappa_ease) * (a[0][0] * y0 + a[1][0] * y1), a[0][1] * y0 + a[1][1] * y1};
+  y_slope = {Real(kappa_ease) * (a[0][2] * y0 + a[1][2] * y1), a[0][3] * y0 + a[1][3] * y1};
 }
 
 /// Pullback of regular_vertex: adds to the adjoints of both end jets; the value adjoints are consumed.
@@ -130,7 +134,7 @@ void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const
                              const PlaneCoordinates<Real>& y_slope_bar, EndJet<Real>& x_bar, EndJet<Real>& y_bar) {
   const PlaneCoordinates<Real> none{};
   const Vec3<Real> gap = field_twist(y, y_value, none) - field_twist(x, x_value, none);
-  const Vec3<Real> column[4] = {x.inward, x.tangent, -y.inward, -y.tangent};
+  const Vec3<Real> column[4] = {scaled(kappa_ease, x.inward), x.tangent, scaled(-kappa_ease, y.inward), -y.tangent};
   const Vec3<Real> axis[2] = {x.tangent, y.tangent};
   Real a[2][4], rhs[2];
   for (int r = 0; r < 2; ++r) {
@@ -146,14 +150,15 @@ void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const
   const Real inverse = Real(1.0) / (g00 * g11 - g01 * g01);
   const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse, y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
   // z = A^T s, s = (A A^T)^-1 rhs
-  const Real z_bar[4] = {x_slope_bar.p, x_slope_bar.q, y_slope_bar.p, y_slope_bar.q};
+  const Real z_bar[4] = {Real(kappa_ease) * x_slope_bar.p, x_slope_bar.q, Real(kappa_ease) * y_slope_bar.p,
+                         y_slope_bar.q};
   Real s0{}, s1{};
   for (int k = 0; k < 4; ++k) {
     s0 += a[0][k] * z_bar[k];
     s1 += a[1][k] * z_bar[k];
   }
   const Real w0 = (g11 * s0 - g01 * s1) * inverse, w1 = (g00 * s1 - g01 * s0) * inverse;
-  Vec3<Real> column_bar[4], axis_bar[2];
+  Vec3<Real> column_bar[4], axis_bar[2] = {};
   for (int k = 0; k < 4; ++k) {
     const Real along_s = a[0][k] * y0 + a[1][k] * y1, along_w = a[0][k] * w0 + a[1][k] * w1;
     const Real a0_bar = y0 * z_bar[k] - w0 * along_s - y0 * along_w;
@@ -168,9 +173,9 @@ void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const
   PlaneCoordinates<Real> unused;
   field_twist_pullback(y, y_value, none, gap_bar, y_bar, y_value_bar, unused);
   field_twist_pullback(x, x_value, none, -gap_bar, x_bar, x_value_bar, unused);
-  x_bar.inward += column_bar[0];
+  x_bar.inward += scaled(kappa_ease, column_bar[0]);
   x_bar.tangent += column_bar[1] + axis_bar[0];
-  y_bar.inward -= column_bar[2];
+  y_bar.inward -= scaled(kappa_ease, column_bar[2]);
   y_bar.tangent += axis_bar[1] - column_bar[3];
   plane_solve_pullback(x.inward, x.tangent, y.tangent, x_value, x_value_bar, x_bar.inward, x_bar.tangent,
                        y_bar.tangent);
@@ -195,7 +200,7 @@ void apex_vertex_pullback(const TransitionEnd<Real>* edges, const CornerField<Re
   const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
   const Vec3<Real> twist = r.tangent - l.tangent;
   EndJet<Real> l_bar{}, r_bar{};
-  Vec3<Real> twist_bar;
+  Vec3<Real> twist_bar{};
   plane_solve_pullback(l.inward, l.tangent, twist, field[left].slope[1], field_bar[left].slope[1], l_bar.inward,
                        l_bar.tangent, twist_bar);
   plane_solve_pullback(r.inward, r.tangent, twist, field[right].slope[1], field_bar[right].slope[1], r_bar.inward,

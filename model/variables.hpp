@@ -33,7 +33,7 @@ struct VariableBounds {
   double max_cut = 0.1;        ///< widest strip
   double min_fullness = 0.3;
   double max_fullness = 2.7;
-  double min_lean = 0.0;
+  double min_lean = 0.1;
   double max_lean = 1.5;
 };
 
