@@ -6,7 +6,8 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
                       const std::string& example) {
   CLI::App* const command = program.add_subcommand(name, purpose);
   command->fallthrough();
-  command->footer("\nExample:\n  " + example);
+  command->group("Commands");
+  command->footer("Example:\n  " + example);
   return command;
 }
 

@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "tests/cli/program_run.hpp"
+
+namespace bodyline {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A command line that cannot be carried out, and words its sentence must hold. CAR stands for a
+/// good model, BAD for a broken one, OLD for a model file that exists in the folder.
+struct Refusal {
+  std::string name;
+  std::vector<std::string> command;
+  std::string words;
+};
+
+class Refused : public testing::CommandLine, public ::testing::WithParamInterface<Refusal> {};
+
+TEST_P(Refused, WithOneSentenceExitCode2AndNoFile) {
+  write("old.toml", "old");
+  write("bad.toml", "format = 1\nname = \"x\"\nwheels = 3\n");
+  const auto before = files();
+  std::vector<std::string> command = GetParam().command;
+  std::replace(command.begin(), command.end(), std::string("CAR"), car("template"));
+  const auto run = bodyline(command);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, ::testing::StartsWith("bodyline: "));
+  EXPECT_THAT(run.err, HasSubstr(GetParam().words));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(text("old.toml"), "old");
+}
+
+const std::vector<Refusal> refusals{
+    {"NoCommand", {}, "give a command"},
+    {"UnknownCommand", {"evalute", "CAR"}, "'evalute' is not a command; the nearest is 'evaluate'"},
+    {"UnknownOption", {"variables", "CAR", "--jason"}, "--jason"},
+    {"NoModel", {"variables"}, "MODEL"},
+    {"MissingFile", {"variables", "no.toml"}, "no.toml: does not exist"},
+    {"BrokenFile", {"variables", "bad.toml"}, "bad.toml:3"},
+    {"FolderAsModel", {"variables", "."}, "is a folder"},
+    {"UnknownVariable", {"variables", "CAR", "shape.hod.u*"}, "the nearest name is 'shape.hood.u"},
+    {"SetUnknown", {"set", "CAR", "cut.hood.ulo=0.1", "-o", "a.toml"}, "'cut.hood.u_lo'"},
+    {"SetNothing", {"set", "CAR", "-o", "a.toml"}, "NAME=VALUE"},
+    {"SetNoValue", {"set", "CAR", "cut.hood.u_lo", "-o", "a.toml"}, "NAME=VALUE"},
+    {"SetNoNumber", {"set", "CAR", "cut.hood.u_lo=wide", "-o", "a.toml"}, "'wide'"},
+    {"SetNotFinite", {"set", "CAR", "cut.hood.u_lo=nan", "-o", "a.toml"}, "not a finite number"},
+    {"SetFixed", {"set", "CAR", "cut.grille.u_lo=0.1", "-o", "a.toml"}, "is fixed"},
+    {"SetContradiction",
+     {"set", "CAR", "curve.hood__windshield[1-2].y=9", "-o", "a.toml"},
+     "contradicts"},
+    {"SetAmbiguous", {"set", "CAR", "cut.hood.u_lo*=2", "-o", "a.toml"}, "two ways"},
+    {"SetInvalidModel", {"set", "CAR", "cut.hood.u_lo=0.95", "-o", "a.toml"}, "not be a valid"},
+    {"SetFullnessTooLarge",
+     {"set", "CAR", "fullness.hood__windshield.a=3", "-o", "a.toml"},
+     "not be a valid"},
+    {"SetNoOutput", {"set", "CAR", "cut.hood.u_lo=0.1"}, "--output"},
+    {"SetWrongExtension", {"set", "CAR", "cut.hood.u_lo=0.1", "-o", "a.step"}, ".toml"},
+    {"SetExisting", {"set", "CAR", "cut.hood.u_lo=0.1", "-o", "old.toml"}, "exists already"},
+    {"SetFolder", {"set", "CAR", "cut.hood.u_lo=0.1", "-o", "no/a.toml"}, "folder does not exist"},
+    {"EvaluateTerm", {"evaluate", "CAR", "--objective", "bendig=1"}, "bendig"},
+    {"EvaluateWeight", {"evaluate", "CAR", "--objective", "bending=-1"}, "'-1'"},
+    {"EvaluateFace", {"evaluate", "CAR", "--objective", "bending@hod=1"}, "\"hood\""},
+    {"EvaluateStage", {"evaluate", "CAR", "--stage", "built"}, "base, kept and body"},
+    {"EvaluateNodes", {"evaluate", "CAR", "--nodes", "7"}, "multiple of 8"},
+    {"EvaluateNodesWord", {"evaluate", "CAR", "--nodes", "many"}, "--nodes"},
+    {"EvaluateVary", {"evaluate", "CAR", "--vary", "shapes.*"}, "shapes.*"},
+    {"ExportExtension", {"export", "CAR", "-o", "car.dwg"}, ".step"},
+    {"ExportExisting", {"export", "CAR", "-o", "old.toml"}, ".step"},
+    {"ExportTolerance", {"export", "CAR", "-o", "a.stl", "--tolerance", "0"}, "olerance"},
+    {"ConvertStep", {"convert", "bad.step", "-o", "a.toml"}, "bad.step"},
+    {"ConvertBroken", {"convert", "bad.toml", "-o", "a.toml"}, "bad.toml:3"},
+    {"ConvertExisting", {"convert", "CAR", "-o", "old.toml"}, "exists already"},
+    {"RenderExtension", {"render", "CAR", "-o", "a.jpg"}, ".png"},
+    {"RenderView", {"render", "CAR", "-o", "a.png", "--view", "under"}, "under"},
+    {"RenderMap", {"render", "CAR", "-o", "a.png", "--map", "shiny"}, "shiny"},
+    {"RenderSize", {"render", "CAR", "-o", "a.png", "--size", "big"}, "'big'"},
+    {"RenderTooLarge", {"render", "CAR", "-o", "a.png", "--size", "1x99999"}, "99999"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Each, Refused, ::testing::ValuesIn(refusals),
+                         [](const auto& test) { return test.param.name; });
+
+class Streams : public testing::CommandLine {};
+
+TEST_F(Streams, AFullDiskIsAnError) {
+  const auto run = testing::run_in(
+      file("."), {"sh", "-c", "bodyline variables " + car("template") + " > /dev/full"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("cannot be written"));
+}
+
+}  // namespace
+}  // namespace bodyline
