@@ -1,0 +1,149 @@
+#include "optimize/fairness.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/read_model.hpp"
+#include "model/build.hpp"
+#include "model/check_fold.hpp"
+#include "optimize/fairness_problem.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+model::Model car(const std::string& name) {
+  return io::read_model(BODYLINE_SOURCE_DIR "/cars/" + name + ".toml");
+}
+
+// Reference values are given to six digits.
+constexpr double reference_tolerance = 1e-6;
+
+FairOptions patch_only(const std::string& patch) {
+  FairOptions options;
+  options.terms = {{model::TermKind::bending, 1.0, model::Stage::base, {patch}}};
+  options.vary = {"shape." + patch + ".*"};
+  return options;
+}
+
+TEST(Fair, ReachesTheKnownOptimaOfSinglePatches) {
+  EXPECT_NEAR(fair(car("model1"), patch_only("hood")).end.value, 0.453412, reference_tolerance);
+  EXPECT_LE(fair(car("model1"), patch_only("roof")).end.value, 0.352486 + reference_tolerance);
+  EXPECT_NEAR(fair(car("template"), patch_only("hood")).end.value, 0.430793, reference_tolerance);
+}
+
+class FairCar : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Cars, FairCar, testing::Values("model1", "model2"));
+
+TEST_P(FairCar, LosesEightTimesItsBendingWithNarrowCuts) {
+  FairOptions options;
+  options.nodes = 8;
+  const FairResult result = fair(car(GetParam()), options);
+  EXPECT_LE(8.0 * result.end.terms[0], result.start.terms[0]);
+}
+
+TEST_P(FairCar, LosesThirtyFiveTimesItsBendingWithWideCuts) {
+  FairOptions options;
+  options.nodes = 8;
+  options.bounds.max_cut = 0.3;
+  const FairResult result = fair(car(GetParam()), options);
+  EXPECT_LE(35.0 * result.end.terms[0], result.start.terms[0]);
+}
+
+TEST_P(FairCar, HasNoFoldedFaceOnceItsCurvesMayMove) {
+  FairOptions options;
+  options.vary = {"*"};
+  options.within = 10.0;
+  const FairResult result = fair(car(GetParam()), options);
+  EXPECT_TRUE(result.folded_faces.empty());
+  for (const model::Stage stage : {model::Stage::base, model::Stage::body}) {
+    for (const model::Surface& face : model::build(result.model, stage)) {
+      EXPECT_FALSE(model::check_fold(face).folded) << face.name;
+    }
+  }
+}
+
+TEST(Fair, StaysWithinItsBoundsAndItsDistance) {
+  FairOptions options;
+  options.vary = {"curve.hood__*", "fullness.*", "cut.hood.*"};
+  options.within = 3.0;
+  options.nodes = 8;
+  const FairResult result = fair(car("template"), options);
+  for (Eigen::Index k = 0; k < result.end_values.size(); ++k) {
+    EXPECT_GE(result.end_values[k], result.lower[k]) << result.variables[std::size_t(k)];
+    EXPECT_LE(result.end_values[k], result.upper[k]) << result.variables[std::size_t(k)];
+    if (result.variables[std::size_t(k)].starts_with("curve.")) {
+      EXPECT_LE(std::abs(result.end_values[k] - result.start_values[k]), 3.0 * (1.0 + 1e-12));
+    }
+  }
+}
+
+TEST(Fair, LeavesEverythingElseAlone) {
+  const model::Model before = car("model2");
+  FairOptions options = patch_only("hood");
+  const model::Model after = fair(before, options).model;
+  const model::ParameterLayout layout(before);
+  const Eigen::VectorXd a = model::to_parameters(before, layout);
+  const Eigen::VectorXd b = model::to_parameters(after, layout);
+  const std::vector<std::string> names = model::parameter_names(before, layout);
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    if (names[std::size_t(k)].starts_with("shape.hood.")) continue;
+    EXPECT_EQ(a[k], b[k]) << names[std::size_t(k)];
+  }
+}
+
+TEST(Fair, HeldVariablesDoNotMove) {
+  FairOptions options = patch_only("hood");
+  options.hold = {"shape.hood.u[0]"};
+  const FairResult result = fair(car("model1"), options);
+  EXPECT_EQ(std::count(result.variables.begin(), result.variables.end(), "shape.hood.u[0]"), 0);
+  EXPECT_EQ(result.model.patches[1].shape_u[0], car("model1").patches[1].shape_u[0]);
+}
+
+TEST(Fair, IsNeverWorseThanItsStartEvenWhenStoppedAtOnce) {
+  FairOptions options;
+  options.search.should_stop = [] { return true; };
+  const FairResult result = fair(car("model2"), options);
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_LE(result.end.value, result.start.value);
+}
+
+TEST(Fair, RefusesToHoldEverything) {
+  FairOptions options = patch_only("hood");
+  options.hold = {"*"};
+  EXPECT_THROW(fair(car("model1"), options), std::invalid_argument);
+}
+
+TEST(Fair, LevenbergMarquardtFindsTheSameOptimum) {
+  FairOptions options = patch_only("hood");
+  options.search.algorithm = Algorithm::ceres_lm;
+  EXPECT_NEAR(fair(car("model1"), options).end.value, 0.453412, reference_tolerance);
+}
+
+// The residual form is the objective itself: same value, same gradient (section 9).
+class Residuals : public testing::TestWithParam<std::vector<model::Term>> {};
+INSTANTIATE_TEST_SUITE_P(
+    Terms, Residuals,
+    testing::Values(
+        std::vector<model::Term>{{model::TermKind::bending, 1.0, model::Stage::body, {}}},
+        std::vector<model::Term>{{model::TermKind::variation, 2.0, model::Stage::base, {"hood"}}},
+        std::vector<model::Term>{{model::TermKind::bending, 0.7, model::Stage::base, {}},
+                                 {model::TermKind::area, 0.1, model::Stage::body, {}}}));
+
+TEST_P(Residuals, HaveTheValueAndGradientOfTheObjective) {
+  const auto context = std::make_shared<model::BodyContext>(car("template"));
+  model::EvaluatorOptions options;
+  options.terms = GetParam();
+  const std::vector<std::string> patterns{"shape.*", "cut.*", "lean.*", "curve.hood__*"};
+  model::Evaluator evaluator(context, context->map.select(patterns), options);
+  FairnessProblem problem(evaluator, 10.0);
+  problem.use_residuals();
+  const Eigen::VectorXd x = evaluator.start();
+  Eigen::VectorXd gradient(x.size()), residual(problem.residual_count());
+  Eigen::MatrixXd jacobian(residual.size(), x.size());
+  const double value = problem.value(x, &gradient);
+  problem.residuals(x, residual, &jacobian);
+  EXPECT_NEAR(residual.squaredNorm(), value, 1e-12 * value);
+  EXPECT_LE((2.0 * jacobian.transpose() * residual - gradient).norm(), 1e-10 * gradient.norm());
+}
+
+}  // namespace
+}  // namespace bodyline::optimize
