@@ -17,11 +17,13 @@ struct Refusal {
   std::string words;
 };
 
+void PrintTo(const Refusal& refusal, std::ostream* stream) { *stream << refusal.words; }
+
 class Refused : public testing::CommandLine, public ::testing::WithParamInterface<Refusal> {};
 
 TEST_P(Refused, WithOneSentenceExitCode2AndNoFile) {
   write("old.toml", "old");
-  write("bad.toml", "format = 1\nname = \"x\"\nwheels = 3\n");
+  write("bad.toml", "format = 1\nname = 7\n");
   const auto before = files();
   std::vector<std::string> command = GetParam().command;
   std::replace(command.begin(), command.end(), std::string("CAR"), car("template"));
@@ -41,7 +43,7 @@ const std::vector<Refusal> refusals{
     {"UnknownOption", {"variables", "CAR", "--jason"}, "--jason"},
     {"NoModel", {"variables"}, "MODEL"},
     {"MissingFile", {"variables", "no.toml"}, "no.toml: does not exist"},
-    {"BrokenFile", {"variables", "bad.toml"}, "bad.toml:3"},
+    {"BrokenFile", {"variables", "bad.toml"}, "bad.toml:2"},
     {"FolderAsModel", {"variables", "."}, "is a folder"},
     {"UnknownVariable", {"variables", "CAR", "shape.hod.u*"}, "the nearest name is 'shape.hood.u"},
     {"SetUnknown", {"set", "CAR", "cut.hood.ulo=0.1", "-o", "a.toml"}, "'cut.hood.u_lo'"},
@@ -66,14 +68,14 @@ const std::vector<Refusal> refusals{
     {"EvaluateWeight", {"evaluate", "CAR", "--objective", "bending=-1"}, "'-1'"},
     {"EvaluateFace", {"evaluate", "CAR", "--objective", "bending@hod=1"}, "\"hood\""},
     {"EvaluateStage", {"evaluate", "CAR", "--stage", "built"}, "base, kept and body"},
-    {"EvaluateNodes", {"evaluate", "CAR", "--nodes", "7"}, "multiple of 8"},
+    {"EvaluateNodes", {"evaluate", "CAR", "--nodes", "7"}, "multiples of 8"},
     {"EvaluateNodesWord", {"evaluate", "CAR", "--nodes", "many"}, "--nodes"},
     {"EvaluateVary", {"evaluate", "CAR", "--vary", "shapes.*"}, "shapes.*"},
     {"ExportExtension", {"export", "CAR", "-o", "car.dwg"}, ".step"},
     {"ExportExisting", {"export", "CAR", "-o", "old.toml"}, ".step"},
     {"ExportTolerance", {"export", "CAR", "-o", "a.stl", "--tolerance", "0"}, "olerance"},
     {"ConvertStep", {"convert", "bad.step", "-o", "a.toml"}, "bad.step"},
-    {"ConvertBroken", {"convert", "bad.toml", "-o", "a.toml"}, "bad.toml:3"},
+    {"ConvertBroken", {"convert", "bad.toml", "-o", "a.toml"}, "bad.toml:2"},
     {"ConvertExisting", {"convert", "CAR", "-o", "old.toml"}, "exists already"},
     {"RenderExtension", {"render", "CAR", "-o", "a.jpg"}, ".png"},
     {"RenderView", {"render", "CAR", "-o", "a.png", "--view", "under"}, "under"},
