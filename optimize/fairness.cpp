@@ -138,7 +138,7 @@ Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) cons
       quiet.options_.search.algorithm == Algorithm::ceres_lm) {
     quiet.options_.search.algorithm = Algorithm::nlopt_lbfgs;
   }
-  const Eigen::VectorXd unfolded = quiet.search(barriers, x, unreported);
+  Eigen::VectorXd unfolded = quiet.search(barriers, x, unreported);
   result.evaluations = unreported.evaluations;
   return unfolded;
 }
