@@ -16,11 +16,12 @@ inline constexpr int exit_unusable = 2;  ///< the input cannot be used; nothing 
 
 /// What every command gets from the program.
 struct Context {
-  std::ostream* out = nullptr;  ///< results
-  std::ostream* err = nullptr;  ///< errors, warnings, progress
-  bool terminal = false;        ///< err is a terminal: progress may be shown
-  bool quiet = false;           ///< the user wants neither progress nor warnings
-  int exit_code = exit_fine;    ///< what the command that ran leaves
+  std::ostream* out = nullptr;    ///< results
+  std::ostream* err = nullptr;    ///< errors, warnings, progress
+  bool terminal = false;          ///< err is a terminal: progress may be shown
+  bool quiet = false;             ///< the user wants neither progress nor warnings
+  std::string command_line = "";  ///< as one can type it again
+  int exit_code = exit_fine;      ///< what the command that ran leaves
 };
 
 /// Adds a command to the program. `purpose` is one line; `example` is shown by --help as it is.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/fair_json.hpp"
+#include "cli/fair_report.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
 #include "cli/objective_option.hpp"
@@ -19,9 +20,9 @@ namespace bodyline::cli {
 namespace {
 
 struct Request {
-  std::string model, objective = "bending=1", stage = "body", report;
+  std::string model, objective = "bending=1", stage = "body";
   std::string algorithm = optimize::algorithm_name(optimize::Options{}.algorithm);
-  Output output;
+  Output output, report;  // no report when its path is empty
   std::vector<std::string> vary, hold;
   double within = 0.0;  // 0: not given
   optimize::FairOptions options;
@@ -59,7 +60,7 @@ optimize::FairResult tune(Context& context, const model::Model& model,
 }
 
 void print_summary(Context& context, const optimize::FairResult& result,
-                   const std::string& output) {
+                   const Request& request) {
   std::string text =
       fmt::format("{}\n\n{:<28} {:>14} {:>14} {:>8}\n", optimize::status_words(result.status), "",
                   "before", "after", "ratio");
@@ -74,21 +75,32 @@ void print_summary(Context& context, const optimize::FairResult& result,
   text += fmt::format("\n{} variables, {} evaluations, {:.2f} s\n", result.variables.size(),
                       result.evaluations, result.seconds);
   for (const std::string& face : result.folded_faces) text += "still folded: " + face + "\n";
-  text += "tuned model: " + output + "\n";
+  text += "tuned model: " + request.output.path + "\n";
+  if (!request.report.path.empty()) text += "report: " + request.report.path + "\n";
   *context.out << text;
 }
 
-void run(Context& context, const Request& request) {
+void write_report(Context& context, const model::Model& model, const optimize::FairResult& result,
+                  const Output& output) {
+  const Progress progress(context, "writing " + output.path);
+  io::write_fair_report(fair_report(model, result, context.command_line), output.path,
+                        output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
+}
+
+void run(Context& context, Request& request) {
   const optimize::FairOptions options = fair_options(request);
+  request.report.overwrite = request.output.overwrite;
   check_output(request.output, request.model, {".toml"});
+  if (!request.report.path.empty()) check_output(request.report, request.model, {".html"});
   const model::Model model = load_model(context, request.model);
   const optimize::FairResult result = tune(context, model, options);
   io::write_model(result.model, request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
+  if (!request.report.path.empty()) write_report(context, model, result, request.report);
   if (request.json) {
     print_json(context, fair_json(result));
   } else {
-    print_summary(context, result, request.output.path);
+    print_summary(context, result, request);
   }
   if (!result.folded_faces.empty()) context.exit_code = exit_findings;
 }
@@ -118,6 +130,8 @@ void add_fair_command(CLI::App& program, Context& context) {
                   "bodyline fair cars/model1.toml -o tuned.toml --within 10 --max-cut 0.1");
   add_model(*command, request->model);
   add_output(*command, request->output, "Tuned model, .toml");
+  command->add_option("--report", request->report.path, "Page that shows what changed, .html")
+      ->type_name("FILE");
   add_patterns(*command, "--vary", request->vary,
                "Variables to tune; " + joined(request->options.vary, ", ") +
                    " when left out, and curve.* too with --within");

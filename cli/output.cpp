@@ -28,6 +28,7 @@ void add_output(CLI::App& command, Output& output, const std::string& text) {
 
 void check_output(const Output& output, const fs::path& input,
                   const std::vector<std::string>& extensions) {
+  if (output.path.empty()) throw std::invalid_argument("the name of the output is empty.");
   const fs::path path = output.path;
   check_extension(path, extensions);
   std::error_code error;

@@ -5,8 +5,14 @@
 #include <exception>
 #include <new>
 
+#include "cli/check_command.hpp"
+#include "cli/convert_command.hpp"
 #include "cli/evaluate_command.hpp"
+#include "cli/export_command.hpp"
+#include "cli/fair_command.hpp"
+#include "cli/render_command.hpp"
 #include "cli/set_command.hpp"
+#include "cli/shell_words.hpp"
 #include "cli/variables_command.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
@@ -15,9 +21,14 @@ namespace bodyline::cli {
 namespace {
 
 void add_commands(CLI::App& program, Context& context) {
+  add_check_command(program, context);
+  add_fair_command(program, context);
   add_variables_command(program, context);
   add_set_command(program, context);
   add_evaluate_command(program, context);
+  add_render_command(program, context);
+  add_export_command(program, context);
+  add_convert_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {
@@ -29,6 +40,14 @@ int fail(Context& context, const std::string& sentence) {
 std::string command_word(int argc, const char* const* argv) {
   for (int k = 1; k < argc; ++k) {
     if (argv[k][0] != '-') return argv[k];
+  }
+  return "";
+}
+
+// The first word that the program itself does not understand, when there is no command.
+std::string unknown_option(const CLI::App& program, int argc, const char* const* argv) {
+  for (int k = 1; k < argc; ++k) {
+    if (program.get_option_no_throw(argv[k]) == nullptr) return argv[k];
   }
   return "";
 }
@@ -50,8 +69,11 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& error
                        without_line_ends(error.what()), name);
   }
   const std::string word = command_word(argc, argv);
-  if (word.empty() && argc < 2) return "give a command; 'bodyline --help' lists them";
-  if (word.empty()) return without_line_ends(error.what());
+  if (word.empty()) {
+    const std::string option = unknown_option(program, argc, argv);
+    if (!option.empty()) return fmt::format("'{}' is not an option of every command", option);
+    return "give a command; 'bodyline --help' lists them";
+  }
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
     names.push_back(command->get_name());
@@ -77,11 +99,13 @@ int parse_and_run(CLI::App& program, int argc, const char* const* argv, Context&
 }  // namespace
 
 int run_program(int argc, const char* const* argv, Context& context) {
+  context.command_line = shell_words(argc, argv);
   CLI::App program("Bodyline: smooth car bodies from boundary curves.", "bodyline");
   program.set_version_flag("--version", "bodyline " BODYLINE_VERSION);
   program.add_flag("--quiet", context.quiet, "Neither progress nor warnings");
   program.require_subcommand(1);
-  program.footer("\n'bodyline COMMAND --help' explains a command, with an example.");
+  program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  program.footer("'bodyline COMMAND --help' explains a command, with an example.");
   add_commands(program, context);
   try {
     return parse_and_run(program, argc, argv, context);
