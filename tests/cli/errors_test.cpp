@@ -39,6 +39,10 @@ TEST_P(Refused, WithOneSentenceExitCode2AndNoFile) {
 
 const std::vector<Refusal> refusals{
     {"NoCommand", {}, "give a command"},
+    {"OnlyOptions", {"--quiet"}, "give a command"},
+    {"UnknownOptionAlone", {"--jason"}, "--jason"},
+    {"EmptyModelName", {"variables", ""}, "empty"},
+    {"EmptyOutputName", {"convert", "CAR", "-o", ""}, "empty"},
     {"UnknownCommand", {"evalute", "CAR"}, "'evalute' is not a command; the nearest is 'evaluate'"},
     {"UnknownOption", {"variables", "CAR", "--jason"}, "--jason"},
     {"NoModel", {"variables"}, "MODEL"},
