@@ -28,7 +28,7 @@ std::vector<Surface> build(const Model& model, Stage stage, Halves halves) {
   const BodyPlan plan = plan_body(model);
   Construction<double> construction(plan);
   const Eigen::VectorXd parameters = to_parameters(model, plan.layout);
-  construction.build(parameters.data(), stage, false);
+  construction.build(parameters.data(), stage);
   std::vector<Surface> surfaces;
   for (const Face& face : plan.faces(stage)) {
     surfaces.push_back(make_surface(face, construction.nets));

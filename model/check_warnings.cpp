@@ -42,7 +42,7 @@ std::vector<std::string> body_warnings(const Model& model, const BodyPlan& plan,
   if (stage != Stage::body) return warnings;
   Construction<double> construction(plan);
   const Eigen::VectorXd parameters = to_parameters(model, plan.layout);
-  construction.build(parameters.data(), Stage::kept, false);
+  construction.build(parameters.data(), Stage::kept);
   for (std::size_t c = 0; c < plan.corners.size(); ++c) {
     if (!plan.corners[c].shape.seam) continue;
     warnings.push_back(model.corners[c].name +

@@ -218,11 +218,12 @@ void field_row(const TransitionEnd<Real>& edge, const CornerField<Real>& field, 
   const Real third(1.0 / 3.0);
   const Real kappa[4] = {v[0].p, v[0].p + third * s[0].p, v[1].p - third * s[1].p, v[1].p};
   const Real mu[4] = {v[0].q, v[0].q + third * s[0].q, v[1].q - third * s[1].q, v[1].q};
-  Vec3<Real> tangent[3], along[6] = {};
+  Vec3<Real> tangent[3], along[6], raised[7];
   for (int i = 0; i < 3; ++i) tangent[i] = scaled(3.0, edge.curve[i + 1] - edge.curve[i]);
-  multiply_add<3, 2>(mu, tangent, along);
-  elevate<5, 1>(along, row);
-  multiply_add<3, 3>(kappa, edge.inward, row);
+  multiply<3, 2>(mu, tangent, along);
+  elevate<5, 1>(along, raised);
+  multiply<3, 3>(kappa, edge.inward, row);
+  for (int k = 0; k < 7; ++k) row[k] += raised[k];
 }
 
 template <class Real>
@@ -235,9 +236,9 @@ void field_row_pullback(const TransitionEnd<Real>& edge, const CornerField<Real>
   Vec3<Real> tangent[3], tangent_bar[3] = {}, along_bar[6] = {};
   for (int i = 0; i < 3; ++i) tangent[i] = scaled(3.0, edge.curve[i + 1] - edge.curve[i]);
   Real kappa_bar[4] = {}, mu_bar[4] = {};
-  multiply_add_pullback<3, 3>(kappa, edge.inward, row_bar, kappa_bar, edge_bar.inward);
+  multiply_pullback<3, 3>(kappa, edge.inward, row_bar, kappa_bar, edge_bar.inward);
   elevate_pullback<5, 1>(row_bar, along_bar);
-  multiply_add_pullback<3, 2>(mu, tangent, along_bar, mu_bar, tangent_bar);
+  multiply_pullback<3, 2>(mu, tangent, along_bar, mu_bar, tangent_bar);
   for (int i = 0; i < 3; ++i) {
     edge_bar.curve[i + 1] += scaled(3.0, tangent_bar[i]);
     edge_bar.curve[i] -= scaled(3.0, tangent_bar[i]);

@@ -108,10 +108,12 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
                                   raised_right[l] - scaled(1.0 / 3.0, field_right[l]), raised_right[l]};
     Vec3<Real> column[7];
     elevate<3, 3>(across, column);
-    const double *weight = elevation<3, 3>.weight[l];
-    for (int k = 0; k < 7; ++k) {
-      net[k * 7 + l] = column[k] + scaled(weight[1], inner[0][k]) + scaled(weight[2], inner[1][k]);
-    }
+    for (int k = 0; k < 7; ++k) net[k * 7 + l] = column[k];
+  }
+  for (int k = 0; k < 7; ++k) {
+    Vec3<Real>* row = net + k * 7;
+    unrolled<1, 4>([&](auto l) { row[l] += scaled(elevation<3, 3>.weight[l][1], inner[0][k]); });
+    unrolled<2, 5>([&](auto l) { row[l] += scaled(elevation<3, 3>.weight[l][2], inner[1][k]); });
   }
 }
 
@@ -119,15 +121,18 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
 template <class Real>
 void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* edges, const CornerTrace<Real>& trace,
                          const Vec3<Real>* net_bar, const Vec3<Real>& blend_bar, TransitionEnd<Real>* edges_bar) {
-  Vec3<Real> inner_bar[2][7] = {}, left_bar[7], right_bar[7], field_bar[7], field_right_bar[7], w_bar[16] = {};
+  Vec3<Real> inner_bar[2][7], left_bar[7], right_bar[7], field_bar[7], field_right_bar[7], w_bar[16] = {};
+  for (int k = 0; k < 7; ++k) {
+    const Vec3<Real>* row_bar = net_bar + k * 7;
+    Vec3<Real> first{}, second{};
+    unrolled<1, 4>([&](auto l) { first += scaled(elevation<3, 3>.weight[l][1], row_bar[l]); });
+    unrolled<2, 5>([&](auto l) { second += scaled(elevation<3, 3>.weight[l][2], row_bar[l]); });
+    inner_bar[0][k] = first;
+    inner_bar[1][k] = second;
+  }
   for (int l = 0; l < 7; ++l) {
-    const double* weight = elevation<3, 3>.weight[l];
     Vec3<Real> column_bar[7], across_bar[4] = {};
-    for (int k = 0; k < 7; ++k) {
-      column_bar[k] = net_bar[k * 7 + l];
-      inner_bar[0][k] += scaled(weight[1], column_bar[k]);
-      inner_bar[1][k] += scaled(weight[2], column_bar[k]);
-    }
+    for (int k = 0; k < 7; ++k) column_bar[k] = net_bar[k * 7 + l];
     elevate_pullback<3, 3>(column_bar, across_bar);
     left_bar[l] = across_bar[0] + across_bar[1];
     right_bar[l] = across_bar[3] + across_bar[2];

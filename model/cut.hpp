@@ -8,30 +8,24 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
+/// One more factor (1 - t + t E) on the row of a polynomial in E that has `count` coefficients; `row` may be `raised`.
+template <class Real>
+void raise_cut_row(int count, const Real& t, const Real* row, Real* raised) {
+  const Real rest = Real(1.0) - t;
+  raised[count] = t * row[count - 1];
+  for (int k = count - 1; k > 0; --k) raised[k] = rest * row[k] + t * row[k - 1];
+  raised[0] = rest * row[0];
+}
+
 /// The blossom restriction of degree n to [lo, hi] as a matrix, (n + 1) x (n + 1), row by row:
 /// kept[j] = sum_k matrix[j][k] P[k], with matrix[j] the coefficients of
 /// (1-lo + lo E)^(n-j) (1-hi + hi E)^j.
 template <class Real>
 void cut_matrix(int n, const Real& lo, const Real& hi, Real* matrix) {
-  // From powers of the first factor, one factor of the second for every row.
-  Real power[max_patch_degree + 1];  // (1-lo + lo E)^(n-j)
-  Real rest[max_patch_degree + 1][max_patch_degree + 1];
-  const Real lo_rest = Real(1.0) - lo, hi_rest = Real(1.0) - hi;
-  rest[0][0] = Real(1.0);
+  matrix[0] = Real(1.0);
   for (int p = 1; p <= n; ++p) {
-    rest[p][0] = lo_rest * rest[p - 1][0];
-    for (int k = 1; k < p; ++k) rest[p][k] = lo_rest * rest[p - 1][k] + lo * rest[p - 1][k - 1];
-    rest[p][p] = lo * rest[p - 1][p - 1];
-  }
-  for (int j = 0; j <= n; ++j) {
-    for (int k = 0; k <= n - j; ++k) power[k] = rest[n - j][k];
-    for (int q = 1; q <= j; ++q) {
-      const int top = n - j + q;
-      power[top] = hi * power[top - 1];
-      for (int k = top - 1; k > 0; --k) power[k] = hi_rest * power[k] + hi * power[k - 1];
-      power[0] = hi_rest * power[0];
-    }
-    for (int k = 0; k <= n; ++k) matrix[j * (n + 1) + k] = power[k];
+    for (int j = p; j > 0; --j) raise_cut_row(p, hi, matrix + (j - 1) * (n + 1), matrix + j * (n + 1));
+    raise_cut_row(p, lo, matrix, matrix);
   }
 }
 
@@ -76,33 +70,44 @@ void cut_pullback(int m, int n, const Real* in_u, const Real* in_v, const Vec3<R
   }
 }
 
-/// Adjoints of both ends of a cut's range.
+/// Adjoints of a patch's cuts.
 template <class Real>
-struct RangeBar {
-  Real lo{}, hi{};
+struct CutBar {
+  Real u_lo, u_hi, v_lo, v_hi;
 };
 
-/// Pullback of a cut to [lo, hi] to that range, from the kept net alone. With t the kept piece's own
-/// parameter from 0 to 1, moving lo moves the piece S by (1 - t) dS/dt / (hi - lo), moving hi by
-/// t dS/dt / (hi - lo): both are of the piece's own degree.
-/// The net has `rows` rows of `degree` + 1 points: point k of row r is at r * row_step + k * step.
+/// Adjoint of the range of a patch's cuts, from the kept net alone; `length_u` and `length_v` are the lengths of the
+/// ranges. With t the kept piece's own parameter from 0 to 1, moving lo moves the piece S by (1 - t) dS/dt / length,
+/// moving hi by t dS/dt / length: both are of the piece's own degree.
 template <class Real>
-RangeBar<Real> cut_range_pullback(int degree, int step, int rows, int row_step, const Real& length,
-                                  const Vec3<Real>* kept, const Vec3<Real>* kept_bar) {
-  RangeBar<Real> bar;
-  for (int k = 0; k < degree; ++k) {
+CutBar<Real> cut_range_pullback(int m, int n, const Real& length_u, const Real& length_v, const Vec3<Real>* kept,
+                                const Vec3<Real>* kept_bar) {
+  const int stride = n + 1;
+  CutBar<Real> bar{Real{}, Real{}, Real{}, Real{}};
+  for (int i = 0; i < m; ++i) {
     Real at_lo{}, at_hi{};
-    for (int r = 0; r < rows; ++r) {
-      const int here = r * row_step + k * step, next = here + step;
+    for (int j = 0; j <= n; ++j) {
+      const int here = i * stride + j, next = here + stride;
       const Vec3<Real> move = kept[next] - kept[here];
       at_lo += dot(kept_bar[here], move);
       at_hi += dot(kept_bar[next], move);
     }
-    bar.lo += Real(double(degree - k)) * at_lo;
-    bar.hi += Real(double(k + 1)) * at_hi;
+    bar.u_lo += Real(double(m - i)) * at_lo;
+    bar.u_hi += Real(double(i + 1)) * at_hi;
   }
-  const Real inverse = Real(1.0) / length;
-  return {inverse * bar.lo, inverse * bar.hi};
+  for (int j = 0; j < n; ++j) {
+    Real at_lo{}, at_hi{};
+    for (int i = 0; i <= m; ++i) {
+      const int here = i * stride + j, next = here + 1;
+      const Vec3<Real> move = kept[next] - kept[here];
+      at_lo += dot(kept_bar[here], move);
+      at_hi += dot(kept_bar[next], move);
+    }
+    bar.v_lo += Real(double(n - j)) * at_lo;
+    bar.v_hi += Real(double(j + 1)) * at_hi;
+  }
+  const Real inverse_u = Real(1.0) / length_u, inverse_v = Real(1.0) / length_v;
+  return {inverse_u * bar.u_lo, inverse_u * bar.u_hi, inverse_v * bar.v_lo, inverse_v * bar.v_hi};
 }
 
 }  // namespace BODYLINE_ISA_NAMESPACE

@@ -2,6 +2,7 @@
 
 #include "model/bernstein.hpp"
 #include "model/isa_namespace.hpp"
+#include "model/unrolled.hpp"
 #include "model/vec3.hpp"
 
 /// Degree elevation and products of Bezier rows, with their pullbacks. All weights are tables made
@@ -68,26 +69,23 @@ inline constexpr ProductTable<P, Q> product = make_product<P, Q>();
 /// raised (N + R + 1 points) = the same curve as row (N + 1 points).
 template <int N, int R, class Real>
 void elevate(const Vec3<Real>* row, Vec3<Real>* raised) {
-#pragma GCC unroll 16
-  for (int k = 0; k <= N + R; ++k) {
-    const int first = k > R ? k - R : 0, last = k < N ? k : N;
-    Vec3<Real> sum = scaled(elevation<N, R>.weight[k][first], row[first]);
-#pragma GCC unroll 16
-    for (int i = first + 1; i <= last; ++i) sum += scaled(elevation<N, R>.weight[k][i], row[i]);
+  unrolled<0, N + R>([&](auto k) {
+    constexpr int first = k > R ? k - R : 0, last = k < N ? k : N;
+    constexpr const double* weight = elevation<N, R>.weight[k];
+    Vec3<Real> sum = scaled(weight[first], row[first]);
+    unrolled<first + 1, last>([&](auto i) { sum += scaled(weight[i], row[i]); });
     raised[k] = sum;
-  }
+  });
 }
 
 /// Pullback of elevate: adds to row_bar.
 template <int N, int R, class Real>
 void elevate_pullback(const Vec3<Real>* raised_bar, Vec3<Real>* row_bar) {
-#pragma GCC unroll 16
-  for (int i = 0; i <= N; ++i) {
+  unrolled<0, N>([&](auto i) {
     Vec3<Real> sum = row_bar[i];
-#pragma GCC unroll 16
-    for (int k = i; k <= i + R; ++k) sum += scaled(elevation<N, R>.weight[k][i], raised_bar[k]);
+    unrolled<i, i + R>([&](auto k) { sum += scaled(elevation<N, R>.weight[k][i], raised_bar[k]); });
     row_bar[i] = sum;
-  }
+  });
 }
 
 /// raised (n + 2 points) = the same curve as row (n + 1 points), n <= max_patch_degree.
@@ -108,31 +106,29 @@ void elevate_once_pullback(int n, const Vec3<Real>* raised_bar, Vec3<Real>* row_
   }
 }
 
-/// product_row (P + Q + 1 points) += factor (scalar, degree P) times row (degree Q).
+/// product_row (P + Q + 1 points) = factor (scalar, degree P) times row (degree Q).
 template <int P, int Q, class Real>
-void multiply_add(const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
-#pragma GCC unroll 16
-  for (int i = 0; i <= P; ++i) {
-#pragma GCC unroll 16
-    for (int j = 0; j <= Q; ++j) {
-      product_row[i + j] += (Real(product<P, Q>.weight[i][j]) * factor[i]) * row[j];
-    }
-  }
+void multiply(const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
+  unrolled<0, P + Q>([&](auto k) {
+    constexpr int first = k > Q ? k - Q : 0, last = k < P ? k : P;
+    const auto term = [&](auto i) { return (Real(product<P, Q>.weight[i][k - i]) * factor[i]) * row[k - i]; };
+    Vec3<Real> sum = term(Index<first>{});
+    unrolled<first + 1, last>([&](auto i) { sum += term(i); });
+    product_row[k] = sum;
+  });
 }
 
-/// Pullback of multiply_add: adds to the adjoints of both factors.
+/// Pullback of multiply: adds to the adjoints of both factors.
 template <int P, int Q, class Real>
-void multiply_add_pullback(const Real* factor, const Vec3<Real>* row, const Vec3<Real>* product_bar,
-                           Real* factor_bar, Vec3<Real>* row_bar) {
-#pragma GCC unroll 16
-  for (int i = 0; i <= P; ++i) {
-#pragma GCC unroll 16
-    for (int j = 0; j <= Q; ++j) {
-      const Real weight(product<P, Q>.weight[i][j]);
-      factor_bar[i] += weight * dot(row[j], product_bar[i + j]);
-      row_bar[j] += (weight * factor[i]) * product_bar[i + j];
-    }
-  }
+void multiply_pullback(const Real* factor, const Vec3<Real>* row, const Vec3<Real>* product_bar,
+                       Real* factor_bar, Vec3<Real>* row_bar) {
+  unrolled<0, P>([&](auto i) {
+    unrolled<0, Q>([&](auto j) {
+      const Vec3<Real> weighted = scaled(product<P, Q>.weight[i][j], product_bar[i + j]);
+      factor_bar[i] += dot(row[j], weighted);
+      row_bar[j] += factor[i] * weighted;
+    });
+  });
 }
 
 /// product_row (q + 2 points) = factor (scalar, linear) times row (degree q), q <= max_patch_degree.

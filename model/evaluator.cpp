@@ -1,18 +1,14 @@
 #include "model/evaluator.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <stdexcept>
 #include <tuple>
 
-#include "model/construction.hpp"
+#include "model/body_builder.hpp"
 #include "model/face_rule.hpp"
 #include "model/suggest.hpp"
+#include "model/team.hpp"
 
 namespace bodyline::model {
 namespace {
@@ -20,11 +16,12 @@ namespace {
 constexpr double square_metre = 1e6;  // mm^2
 // Every face counts twice: side faces for their mirror images, central faces because only their left half is summed.
 constexpr double both_halves = 2.0;
+constexpr int numbers_per_point = 3;
 
 // What is summed on one face: which terms, with which quadrature.
 struct FaceWork {
   const FaceRule* rule = nullptr;
-  int net = 0, blend = -1;      // offsets in points
+  int net = 0, blend = -1;      // offsets in numbers
   std::vector<int> terms;       // indices into options.terms
   std::vector<int> slots;       // where each term's value of this face goes
   int area_slot = -1;           // also sum the area, for the product in the variation term
@@ -48,21 +45,25 @@ struct Evaluator::State {
         selected(std::move(chosen)),
         options(std::move(given)),
         kernel(&kernels(options.isa)),
-        construction(context->plan),
+        builder(make_body_builder(context->plan, options.isa)),
         parameters(context->parameters),
         parameters_bar(parameters.size()),
-        start_nets(construction.nets.size()),
         term_values(options.terms.size(), 0.0),
-        arena(std::max(1, options.threads)) {
+        team(std::max(1, options.threads)) {
     plan_work();
-    construction.build(parameters.data(), stage, false);
-    start_nets.assign(construction.nets.begin(), construction.nets.begin() + context->plan.kept_begin);
+    plan_shares();
+    builder->build(parameters.data(), stage);
+    start_nets.assign(nets(), nets() + numbers_per_point * context->plan.kept_begin);
   }
 
   void plan_work();
+  void plan_shares();
   const FaceRule* rule_for(const Face& face);
-  double* net(int offset) { return &construction.nets[offset].x; }
-  double* bar(std::vector<Vec3<double>>& bars, int offset) { return &bars[offset].x; }
+  int number_count() const { return numbers_per_point * context->plan.point_count; }
+  double* nets() { return builder->nets(); }
+  double* nets_bar() { return builder->nets_bar(); }
+  void clear_adjoints();
+  void pull_back(Eigen::VectorXd& gradient);
   void run_face(const FaceWork& work, bool with_gradient);
   void run_faces(bool with_gradient);
   double sum_terms(bool with_gradient);
@@ -72,9 +73,9 @@ struct Evaluator::State {
   std::vector<int> selected;
   EvaluatorOptions options;
   const Kernels* kernel;
-  Construction<double> construction;
+  std::unique_ptr<BodyBuilder> builder;
   Eigen::VectorXd parameters, parameters_bar;
-  std::vector<Vec3<double>> start_nets;
+  std::vector<double> start_nets;
   std::vector<double> term_values;
   Stage stage = Stage::base;
   std::map<std::tuple<int, int, Range, bool>, FaceTables> tables;
@@ -82,10 +83,10 @@ struct Evaluator::State {
   std::vector<double> slots;                          // value of each term on each face
   std::vector<std::pair<int, int>> term_slots;        // begin, end of each term
   std::pair<int, int> area_slots{0, 0};
-  std::vector<std::vector<Vec3<double>>> product_bars;  // adjoints of each variation term, before its factor
-  std::vector<Vec3<double>> area_bars;
+  std::vector<std::vector<const FaceWork*>> shares;   // of each member of the team
   bool has_variation = false;
-  tbb::task_arena arena;
+  std::vector<double> variation_bar, area_bar;        // of all nets, before the factors of the product
+  Team team;
 };
 
 const FaceRule* Evaluator::State::rule_for(const Face& face) {
@@ -103,8 +104,8 @@ void Evaluator::State::plan_work() {
   const auto work_of = [&](const Face& face) -> FaceWork& {
     FaceWork& entry = by_net[face.net];
     entry.rule = rule_for(face);
-    entry.net = face.net;
-    entry.blend = face.blend;
+    entry.net = numbers_per_point * face.net;
+    entry.blend = face.blend < 0 ? -1 : numbers_per_point * face.blend;
     return entry;
   };
   for (int t = 0; t < int(options.terms.size()); ++t) {
@@ -138,20 +139,37 @@ void Evaluator::State::plan_work() {
     has_variation = true;
     for (const Face& face : context->plan.faces(term.stage)) work_of(face).area_slot = slot++;
     area_slots.second = slot;
-    product_bars.assign(1, std::vector<Vec3<double>>(construction.nets.size()));
-    area_bars.resize(construction.nets.size());
+    variation_bar.resize(number_count());
+    area_bar.resize(number_count());
   }
   slots.assign(slot, 0.0);
   for (auto& entry : by_net) work.push_back(std::move(entry.second));
 }
 
+// Faces by falling cost, each to the member with the least so far.
+void Evaluator::State::plan_shares() {
+  std::vector<const FaceWork*> order;
+  for (const FaceWork& w : work) order.push_back(&w);
+  const auto cost = [](const FaceWork* w) {
+    constexpr int nodes = 40;  // the part of a face's cost that its degrees do not change, in points of a net
+    return (nodes + (w->rule->degree_u + 1) * (w->rule->degree_v + 1)) * int(w->terms.size() + (w->area_slot >= 0));
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return cost(a) > cost(b); });
+  shares.resize(team.size());
+  std::vector<int> load(team.size(), 0);
+  for (const FaceWork* w : order) {
+    const auto least = std::min_element(load.begin(), load.end()) - load.begin();
+    shares[least].push_back(w);
+    load[least] += cost(w);
+  }
+}
+
 void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
-  const double* points = net(w.net);
-  const double* blend = w.blend >= 0 ? net(w.blend) : nullptr;
-  const auto value = [&](Kernels::Value plain, Kernels::Pullback pullback, double seed,
-                         std::vector<Vec3<double>>& bars) {
+  const double* points = nets() + w.net;
+  const double* blend = w.blend >= 0 ? nets() + w.blend : nullptr;
+  const auto value = [&](Kernels::Value plain, Kernels::Pullback pullback, double seed, double* bars) {
     if (!with_gradient) return plain(*w.rule, points, blend);
-    return pullback(*w.rule, points, blend, seed, bar(bars, w.net), w.blend >= 0 ? bar(bars, w.blend) : nullptr);
+    return pullback(*w.rule, points, blend, seed, bars + w.net, w.blend >= 0 ? bars + w.blend : nullptr);
   };
   for (std::size_t k = 0; k < w.terms.size(); ++k) {
     const Term& term = options.terms[w.terms[k]];
@@ -159,53 +177,40 @@ void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
     double& slot = slots[w.slots[k]];
     switch (term.kind) {
       case TermKind::bending:
-        slot = value(kernel->bending, kernel->bending_pullback, seed, construction.nets_bar);
+        slot = value(kernel->bending, kernel->bending_pullback, seed, nets_bar());
         break;
       case TermKind::variation:
-        slot = value(kernel->variation, kernel->variation_pullback, both_halves, product_bars[0]);
+        slot = value(kernel->variation, kernel->variation_pullback, both_halves, variation_bar.data());
         break;
       case TermKind::area:
-        slot = value(kernel->area, kernel->area_pullback, seed / square_metre, construction.nets_bar) / square_metre;
+        slot = value(kernel->area, kernel->area_pullback, seed / square_metre, nets_bar()) / square_metre;
         break;
       case TermKind::fold:
-        slot = with_gradient ? kernel->fold_pullback(*w.rule, points, blend, options.fold, seed,
-                                                     bar(construction.nets_bar, w.net),
-                                                     w.blend >= 0 ? bar(construction.nets_bar, w.blend) : nullptr)
+        slot = with_gradient ? kernel->fold_pullback(*w.rule, points, blend, options.fold, seed, nets_bar() + w.net,
+                                                     w.blend >= 0 ? nets_bar() + w.blend : nullptr)
                              : kernel->fold(*w.rule, points, blend, options.fold);
         break;
       case TermKind::closeness:
         break;
     }
   }
-  if (w.area_slot >= 0) slots[w.area_slot] = value(kernel->area, kernel->area_pullback, both_halves, area_bars);
+  if (w.area_slot >= 0) slots[w.area_slot] = value(kernel->area, kernel->area_pullback, both_halves, area_bar.data());
 }
 
+// Every face writes only its own slots and adjoints, so that the shares do not change the result.
 void Evaluator::State::run_faces(bool with_gradient) {
-  const int count = int(work.size()), threads = std::min(options.threads, count);
-  if (threads <= 1) {
-    for (const FaceWork& w : work) run_face(w, with_gradient);
-    return;
-  }
-  // Interleaved shares of nearly equal cost; every face writes only its own slots and adjoints.
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<int>(0, threads, 1),
-        [&](const tbb::blocked_range<int>& range) {
-          for (int share = range.begin(); share < range.end(); ++share) {
-            for (int k = share; k < count; k += threads) run_face(work[k], with_gradient);
-          }
-        },
-        tbb::static_partitioner());
+  team.run([&](int member) {
+    for (const FaceWork* w : shares[member]) run_face(*w, with_gradient);
   });
 }
 
 double Evaluator::State::closeness(double weight, bool with_gradient) {
-  const int count = int(start_nets.size());
+  const double count = double(context->plan.kept_begin);
   double sum = 0.0;
-  for (int k = 0; k < count; ++k) {
-    const Vec3<double> move = construction.nets[k] - start_nets[k];
-    sum += dot(move, move);
-    if (with_gradient) construction.nets_bar[k] += scaled(2.0 * weight / count, move);
+  for (std::size_t k = 0; k < start_nets.size(); ++k) {
+    const double move = nets()[k] - start_nets[k];
+    sum += move * move;
+    if (with_gradient) nets_bar()[k] += 2.0 * weight / count * move;
   }
   return sum / count;
 }
@@ -228,15 +233,27 @@ double Evaluator::State::sum_terms(bool with_gradient) {
       const double area = total(area_slots), variation = term_values[t];
       term_values[t] = variation * area;
       if (with_gradient) {
-        for (std::size_t k = 0; k < construction.nets_bar.size(); ++k) {
-          construction.nets_bar[k] +=
-              scaled(term.weight * area, product_bars[0][k]) + scaled(term.weight * variation, area_bars[k]);
+        for (int k = 0; k < number_count(); ++k) {
+          nets_bar()[k] += term.weight * (area * variation_bar[k] + variation * area_bar[k]);
         }
       }
     }
     sum += term.weight * term_values[t];
   }
   return sum;
+}
+
+// From the adjoints of the nets to those of the selected variables.
+void Evaluator::State::pull_back(Eigen::VectorXd& gradient) {
+  parameters_bar.setZero();
+  builder->pullback(parameters.data(), stage, parameters_bar.data());
+  context->map.gather_pullback(selected, parameters_bar, gradient);
+}
+
+void Evaluator::State::clear_adjoints() {
+  std::fill_n(nets_bar(), number_count(), 0.0);
+  std::fill(variation_bar.begin(), variation_bar.end(), 0.0);
+  std::fill(area_bar.begin(), area_bar.end(), 0.0);
 }
 
 Evaluator::Evaluator(std::shared_ptr<const BodyContext> context, std::vector<int> selected, EvaluatorOptions options)
@@ -252,43 +269,33 @@ std::shared_ptr<const BodyContext> Evaluator::shared_context() const { return st
 const EvaluatorOptions& Evaluator::options() const { return state_->options; }
 const std::vector<double>& Evaluator::term_values() const { return state_->term_values; }
 const Eigen::VectorXd& Evaluator::parameters() const { return state_->parameters; }
-const double* Evaluator::nets() const { return &state_->construction.nets[0].x; }
+const double* Evaluator::nets() const { return state_->nets(); }
 
 Eigen::VectorXd Evaluator::start() const {
   return state_->context->map.gather(state_->selected, state_->context->parameters);
 }
 
-void Evaluator::build(const Eigen::VectorXd& x, bool for_pullback) {
+void Evaluator::build(const Eigen::VectorXd& x) {
   State& s = *state_;
   s.context->map.scatter(s.selected, x, s.parameters);
-  s.construction.build(s.parameters.data(), s.stage, for_pullback);
+  s.builder->build(s.parameters.data(), s.stage);
 }
 
 double Evaluator::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
   State& s = *state_;
   const bool with_gradient = gradient != nullptr;
-  build(x, with_gradient);
-  if (with_gradient) {
-    std::fill(s.construction.nets_bar.begin(), s.construction.nets_bar.end(), Vec3<double>{});
-    for (auto& bars : s.product_bars) std::fill(bars.begin(), bars.end(), Vec3<double>{});
-    std::fill(s.area_bars.begin(), s.area_bars.end(), Vec3<double>{});
-  }
+  build(x);
+  if (with_gradient) s.clear_adjoints();
   s.run_faces(with_gradient);
   const double value = s.sum_terms(with_gradient);
-  if (with_gradient) {
-    s.parameters_bar.setZero();
-    s.construction.pullback(s.parameters.data(), s.stage, s.parameters_bar.data());
-    s.context->map.gather_pullback(s.selected, s.parameters_bar, *gradient);
-  }
+  if (with_gradient) s.pull_back(*gradient);
   return value;
 }
 
 void Evaluator::build_pullback(const std::vector<double>& nets_bar, Eigen::VectorXd& gradient) {
   State& s = *state_;
-  std::memcpy(static_cast<void*>(s.construction.nets_bar.data()), nets_bar.data(), nets_bar.size() * sizeof(double));
-  s.parameters_bar.setZero();
-  s.construction.pullback(s.parameters.data(), s.stage, s.parameters_bar.data());
-  s.context->map.gather_pullback(s.selected, s.parameters_bar, gradient);
+  std::copy(nets_bar.begin(), nets_bar.end(), s.nets_bar());
+  s.pull_back(gradient);
 }
 
 }  // namespace bodyline::model

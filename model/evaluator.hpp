@@ -28,8 +28,8 @@ struct BodyContext {
   Eigen::VectorXd parameters;  ///< of the model itself: the start
 };
 
-/// Design variables to objective and exact gradient. After construction no call allocates, except inside the task
-/// scheduler when threads > 1. One evaluator serves one thread at a time; make one per thread for sweeps.
+/// Design variables to objective and exact gradient. After construction no call allocates. With threads > 1 each evaluator
+/// has threads of its own. One evaluator serves one thread at a time; make one per thread for sweeps.
 class Evaluator {
  public:
   /// `selected` are indices into context->map.variables(). Throws std::invalid_argument when a term's face pattern
@@ -57,7 +57,7 @@ class Evaluator {
   const double* nets() const;
 
   /// Only the stage variables -> nets, and its adjoint; for measurements and for terms outside this class.
-  void build(const Eigen::VectorXd& x, bool for_pullback);
+  void build(const Eigen::VectorXd& x);
   void build_pullback(const std::vector<double>& nets_bar, Eigen::VectorXd& gradient);
 
  private:

@@ -110,7 +110,7 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
     }
   }
   const Vec3<Real> t = before.edge[1] - before.edge[0];
-  Vec3<Real> t_bar, a0_bar = bar.across_a[0], b0_bar = bar.across_b[0], normal_bar;
+  Vec3<Real> t_bar{}, normal_bar{}, a0_bar = bar.across_a[0], b0_bar = bar.across_b[0];
   // lean0 = (b0 - rho a0) . t / (t . t)
   const Real scaled_lean0 = lean0_bar / dot(t, t);
   const Vec3<Real> difference = trace.b0 - rho * trace.a0;

@@ -96,7 +96,7 @@ void sq_coons(int m, int n, Vec3<Real>* net, const Real* shape_u, const Real* sh
 template <class Real>
 void shape_directions_pullback(int rows, int row_step, int far, const Vec3<Real>* direction_bar,
                                Vec3<Real>* net_bar) {
-  Vec3<Real> first_bar, last_bar;
+  Vec3<Real> first_bar{}, last_bar{};
   for (int k = 1; k < rows; ++k) {
     const double *share = fractions.value[rows], *rest = fractions.rest[rows];
     net_bar[k * row_step + far] += direction_bar[k];
@@ -125,7 +125,7 @@ void sq_coons_pullback(int m, int n, const Vec3<Real>* net, const Real* shape_u,
   Vec3<Real> w_bar[max_patch_degree], z_bar[max_patch_degree] = {};
   for (int i = 1; i < m; ++i) {
     const double lower = rest_u[i], upper = share_u[i];
-    Vec3<Real> left_bar, row_bar;
+    Vec3<Real> left_bar{}, row_bar{};
     Real shape_bar{};
     for (int j = 1; j < n; ++j) {
       const Vec3<Real>& bar = net_bar[i * stride + j];

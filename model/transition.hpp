@@ -22,6 +22,13 @@ struct TransitionSide {
   Real lean[2];  ///< at both ends of the joint, inwards
 };
 
+/// Sets the rows of degree n and the numbers of adjoints to zero.
+template <class Real>
+void clear(int n, TransitionSide<Real>& bar) {
+  for (int j = 0; j <= n; ++j) bar.edge[j] = bar.second[j] = Vec3<Real>{};
+  bar.stretch = bar.fullness = bar.lean[0] = bar.lean[1] = Real{};
+}
+
 /// Handle row T1 of a cut side: edge + (f D + beta A0') / 3, beta linear with beta(0) |A0'| = lean[0] f |D| and
 /// beta(1) |A0'| = -lean[1] f |D|. With `leaning` false the lean is taken as zero and costs nothing.
 /// Needs sqrt of Real and a positive stretch and fullness.
@@ -188,7 +195,7 @@ void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<R
   multiply_linear_pullback(n - 1, beta, along, lean_bar, beta_bar, along_bar);
   for (int end = 0; end < 2; ++end) {
     const int at = end == 0 ? 0 : n, step = end == 0 ? 0 : n - 1;
-    Vec3<Real> aim_bar;
+    Vec3<Real> aim_bar{};
     PlaneCoordinates<Real> solution_bar{Real(0.0), beta_bar[end]};
     Real floor_bar{};
     lifted_pullback(trace.solution[end].p, floor, f_bar[end], solution_bar.p, floor_bar);

@@ -3,13 +3,13 @@
 #include "model/isa_namespace.hpp"
 
 /// A vector of three numbers of any arithmetic type, for the stages that build nets: double in the program, complex or
-/// dual numbers in tests of their derivatives. Laid out like three consecutive numbers.
+/// dual numbers in tests of their derivatives. Laid out like three consecutive numbers; zero only as Vec3<Real>{}.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
 template <class Real>
 struct Vec3 {
-  Real x{}, y{}, z{};
+  Real x, y, z;
 
   Vec3& operator+=(const Vec3& b) {
     x += b.x, y += b.y, z += b.z;

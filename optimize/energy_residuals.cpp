@@ -233,7 +233,7 @@ Eigen::Index EnergyResiduals::count() const { return state_->rows; }
 
 void EnergyResiduals::evaluate(const VectorXd& x, VectorXd& residual, MatrixXd* jacobian) {
   State& s = *state_;
-  s.evaluator->build(x, jacobian != nullptr);
+  s.evaluator->build(x);
   double area = 1.0;
   VectorXd area_gradient(s.evaluator->size());
   // The area term is in m^2, the variation in 1/mm^2.

@@ -50,7 +50,7 @@ TEST(Oracle, NetsOfModel1AreThoseOfTheIndependentConstruction) {
   for (model::Joint& joint : car.joints) joint.lean = {};
   model::Construction<double> construction(plan);
   const Eigen::VectorXd parameters = model::to_parameters(car, plan.layout);
-  construction.build(parameters.data(), model::Stage::body, false);
+  construction.build(parameters.data(), model::Stage::body);
   expect_nets(oracle.at("base"), plan.base_faces, model::FaceKind::patch, construction.nets);
   expect_nets(oracle.at("reserved"), plan.kept_faces, model::FaceKind::patch, construction.nets);
   expect_nets(oracle.at("transition"), plan.body_faces, model::FaceKind::transition,

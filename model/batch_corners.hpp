@@ -1,0 +1,65 @@
+#pragma once
+
+#include "model/batch_memory.hpp"
+#include "model/batch_tables.hpp"
+
+/// A batch of corner patches, and their pullback (docs/mathematics.md, sections 7 and 8).
+namespace bodyline::model {
+inline namespace BODYLINE_ISA_NAMESPACE {
+
+template <class Real, class Number>
+void read_corner_edges(const CornerBatch& batch, const Number* nets, TransitionEnd<Real>* edges) {
+  using Io = Pack<Real>;
+  for (int e = 0; e < 4; ++e) {
+    if (batch.three_sided && e == top) continue;
+    const Real degree = Io::numbers(batch.degree + e * Io::lanes);
+    for (int t = 0; t < 4; ++t) {
+      const int row = (4 * e + t) * Io::lanes;
+      edges[e].curve[t] = Io::read_point(nets, batch.end + row, 0);
+      edges[e].inward[t] = degree * (edges[e].curve[t] - Io::read_point(nets, batch.next + row, 0));
+    }
+  }
+  if (!batch.three_sided) return;
+  for (int t = 0; t < 4; ++t) {
+    edges[top].curve[t] = edges[left].curve[3];
+    edges[top].inward[t] = Vec3<Real>{};
+  }
+}
+
+template <class Real, class Number>
+[[gnu::flatten]] void build_corners(const CornerBatch& batch, Number* nets, unsigned char* storage) {
+  using Io = Pack<Real>;
+  auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
+  read_corner_edges(batch, nets, memory.edges);
+  Vec3<Real> net[corner_points], blend;
+  corner_net({batch.three_sided, true}, memory.edges, memory.trace, net, &blend);
+  Io::write_net(nets, batch.net, corner_points, net);
+  Io::write_point(nets, batch.blend, 0, Io::numbers(batch.seam) * blend);
+}
+
+template <class Real, class Number>
+[[gnu::flatten]] void corners_pullback(const CornerBatch& batch, unsigned char* storage, Number* nets_bar) {
+  using Io = Pack<Real>;
+  const auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
+  Vec3<Real> net_bar[corner_points];
+  Io::read_net(nets_bar, batch.net, corner_points, net_bar);
+  const Vec3<Real> blend_bar = Io::numbers(batch.seam) * Io::read_point(nets_bar, batch.blend, 0);
+  TransitionEnd<Real> edges_bar[4] = {};
+  corner_net_pullback({batch.three_sided, true}, memory.edges, memory.trace, net_bar, blend_bar, edges_bar);
+  if (batch.three_sided) {
+    for (int t = 0; t < 4; ++t) edges_bar[left].curve[3] += edges_bar[top].curve[t];
+  }
+  for (int e = 0; e < 4; ++e) {
+    if (batch.three_sided && e == top) continue;
+    const Real degree = Io::numbers(batch.degree + e * Io::lanes);
+    for (int t = 0; t < 4; ++t) {
+      const int row = (4 * e + t) * Io::lanes;
+      const Vec3<Real> inward_bar = degree * edges_bar[e].inward[t];
+      Io::add_point(nets_bar, batch.end + row, 0, batch.count, edges_bar[e].curve[t] + inward_bar);
+      Io::add_point(nets_bar, batch.next + row, 0, batch.count, -inward_bar);
+    }
+  }
+}
+
+}  // namespace BODYLINE_ISA_NAMESPACE
+}  // namespace bodyline::model

@@ -1,0 +1,270 @@
+#include "model/batch_plan.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "model/batch_memory.hpp"
+
+namespace bodyline::model {
+namespace {
+
+constexpr int numbers_per_point = 3;
+
+template <class Memory>
+constexpr int memory_numbers() {
+  return int(sizeof(Memory) / sizeof(double));
+}
+
+// The numbers of a side's row in the array of all nets, point by point.
+int row_point(const BodyPlan& plan, const SideStep& side, int k, int depth) {
+  return numbers_per_point *
+         (plan.patches[side.patch].kept_net + side.walk.start + k * side.walk.step + depth * side.walk.inward);
+}
+
+// One side of a joint.
+struct JointSide {
+  const JointStep* joint;
+  int which;
+  const SideStep& side() const { return joint->side[which]; }
+};
+
+}  // namespace
+
+/// Fills a BatchPlan; each kind of batch has its function.
+class BatchPlanner {
+ public:
+  BatchPlanner(BatchPlan& result, const BodyPlan& plan, int lanes) : result_(result), plan_(plan), lanes_(lanes) {}
+
+  void plan_patches() {
+    std::map<std::pair<int, int>, std::vector<const PatchStep*>> groups;
+    for (const PatchStep& patch : plan_.patches) groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
+    for (const auto& [degrees, group] : groups) {
+      for_each_batch(group, [&](const std::vector<const PatchStep*>& steps, int count) { add_patches(steps, count); });
+    }
+  }
+
+  // Seams in order; one that shares a point with another waits for a later batch.
+  void plan_seams() {
+    std::vector<const SeamStep*> group;
+    std::set<int> points;
+    const auto flush = [&] {
+      for_each_batch(group, [&](const std::vector<const SeamStep*>& steps, int count) { add_seams(steps, count); });
+      group.clear();
+      points.clear();
+    };
+    for (const SeamStep& seam : plan_.seams) {
+      std::set<int> own;
+      for (int k = 0; k <= seam.degree; ++k) {
+        own.insert({row_point(plan_, seam.a, k, 0), row_point(plan_, seam.b, k, 0), row_point(plan_, seam.a, k, 1),
+                    row_point(plan_, seam.b, k, 1)});
+      }
+      const bool shares = std::any_of(own.begin(), own.end(), [&](int point) { return points.contains(point); });
+      if (shares || (!group.empty() && group.front()->degree != seam.degree)) flush();
+      group.push_back(&seam);
+      points.merge(own);
+    }
+    flush();
+  }
+
+  void plan_sides() {
+    std::map<std::tuple<SideKind, int, bool>, std::vector<JointSide>> groups;
+    for (const JointStep& joint : plan_.joints) {
+      for (int which = 0; which < 2; ++which) {
+        const SideKind kind = joint.uncut < 0        ? SideKind::plain
+                              : joint.uncut == which ? SideKind::uncut
+                                                     : SideKind::raised;
+        groups[{kind, joint.degree, joint.leaning[which]}].push_back({&joint, which});
+      }
+    }
+    for (const auto& [signature, group] : groups) {
+      const SideKind kind = std::get<SideKind>(signature);
+      for_each_batch(group, [&](const std::vector<JointSide>& sides, int count) { add_sides(kind, sides, count); });
+    }
+  }
+
+  void plan_corners() {
+    for (const bool three_sided : {false, true}) {
+      std::vector<const CornerStep*> group;
+      for (const CornerStep& corner : plan_.corners) {
+        if (corner.shape.three_sided == three_sided) group.push_back(&corner);
+      }
+      for_each_batch(group, [&](const std::vector<const CornerStep*>& steps, int count) { add_corners(steps, count); });
+    }
+  }
+
+  void finish() {
+    BatchTables& tables = result_.tables_;
+    tables.lanes = lanes_;
+    tables.number_count = numbers_per_point * plan_.point_count;
+    tables.memory = memory_;
+    tables.patch_count = int(result_.patches_.size());
+    tables.seam_count = int(result_.seams_.size());
+    tables.side_count = int(result_.sides_.size());
+    tables.corner_count = int(result_.corners_.size());
+    tables.patches = result_.patches_.data();
+    tables.seams = result_.seams_.data();
+    tables.sides = result_.sides_.data();
+    tables.corners = result_.corners_.data();
+  }
+
+ private:
+  // Cuts a group into lots of `lanes` steps; the last is filled up with its last step.
+  template <class Step, class Add>
+  void for_each_batch(const std::vector<Step>& group, const Add& add) {
+    for (std::size_t first = 0; first < group.size(); first += lanes_) {
+      const std::size_t last = std::min(group.size(), first + lanes_);
+      std::vector<Step> steps(group.begin() + first, group.begin() + last);
+      const int count = int(steps.size());
+      steps.resize(lanes_, steps.back());
+      add(steps, count);
+    }
+  }
+
+  // A table with `rows` entries for every step: value(step, row).
+  template <class Step, class Value>
+  const int* offsets(const std::vector<Step>& steps, int rows, const Value& value) {
+    std::vector<int>& table = result_.offsets_.emplace_back();
+    for (int row = 0; row < rows; ++row) {
+      for (const Step& step : steps) table.push_back(value(step, row));
+    }
+    return table.data();
+  }
+  template <class Step, class Value>
+  const double* numbers(const std::vector<Step>& steps, int rows, const Value& value) {
+    std::vector<double>& table = result_.numbers_.emplace_back();
+    for (int row = 0; row < rows; ++row) {
+      for (const Step& step : steps) table.push_back(value(step, row));
+    }
+    return table.data();
+  }
+
+  int take_memory(int numbers_needed) {
+    const int at = memory_;
+    memory_ += numbers_needed;
+    return at;
+  }
+
+  void add_patches(const std::vector<const PatchStep*>& steps, int count) {
+    using Step = const PatchStep*;
+    const PatchStep& first = *steps.front();
+    PatchBatch batch;
+    batch.degree_u = first.degree_u;
+    batch.degree_v = first.degree_v;
+    batch.count = count;
+    batch.memory = take_memory(patch_memory_numbers(first.degree_u, first.degree_v));
+    batch.boundary_count = int(first.boundary.size());
+    std::vector<int>& indices = result_.offsets_.emplace_back();
+    for (const PatchStep::BoundaryPoint& point : first.boundary) indices.push_back(point.net_index);
+    batch.boundary_net = indices.data();
+    batch.boundary =
+        offsets(steps, batch.boundary_count, [](Step step, int k) { return step->boundary[k].parameter; });
+    batch.boundary_sign =
+        numbers(steps, batch.boundary_count, [](Step step, int k) { return step->boundary[k].mirrored ? -1.0 : 1.0; });
+    batch.base = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->base_net; });
+    batch.kept = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->kept_net; });
+    batch.shape_u = offsets(steps, 1, [](Step step, int) { return step->shape_u; });
+    batch.shape_v = offsets(steps, 1, [](Step step, int) { return step->shape_v; });
+    batch.cut = offsets(steps, 1, [](Step step, int) { return step->cut; });
+    result_.patches_.push_back(batch);
+  }
+
+  void add_seams(const std::vector<const SeamStep*>& steps, int count) {
+    using Step = const SeamStep*;
+    SeamBatch batch;
+    batch.degree = steps.front()->degree;
+    batch.count = count;
+    batch.memory = take_memory(memory_numbers<SeamMemory<double>>());
+    const int points = batch.degree + 1;
+    batch.edge = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 0); });
+    batch.second_a = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 1); });
+    batch.second_b = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->b, k, 1); });
+    result_.seams_.push_back(batch);
+  }
+
+  // Width of the strip cut from side(step), or 1 where it is not cut.
+  template <class SideOf>
+  WidthTable width_table(const std::vector<JointSide>& sides, bool is_cut, const SideOf& side_of) {
+    WidthTable table;
+    table.parameter = offsets(sides, 1, [&](const JointSide& at, int) { return side_of(at).cut_at; });
+    table.offset =
+        numbers(sides, 1, [&](const JointSide& at, int) { return !is_cut || side_of(at).at_upper ? 1.0 : 0.0; });
+    table.factor = numbers(sides, 1, [&](const JointSide& at, int) {
+      return !is_cut ? 0.0 : (side_of(at).at_upper ? -1.0 : 1.0);
+    });
+    return table;
+  }
+
+  void add_sides(SideKind kind, const std::vector<JointSide>& sides, int count) {
+    SideBatch batch;
+    batch.kind = kind;
+    batch.leaning = sides.front().joint->leaning[sides.front().which] && kind != SideKind::uncut;
+    batch.degree = sides.front().joint->degree;
+    batch.count = count;
+    batch.memory = take_memory(memory_numbers<SideMemory<double>>());
+    using At = const JointSide&;
+    const int points = batch.degree + 1;
+    batch.edge = offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 0); });
+    batch.second = offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 1); });
+    batch.edge_row =
+        offsets(sides, 1, [](At at, int) { return numbers_per_point * (at.joint->net + (at.which == 0 ? 0 : 3)); });
+    batch.handle_row =
+        offsets(sides, 1, [](At at, int) { return numbers_per_point * (at.joint->net + (at.which == 0 ? 1 : 2)); });
+    batch.fullness = offsets(sides, 1, [](At at, int) { return at.joint->fullness[at.which]; });
+    batch.lean = offsets(sides, 1, [](At at, int) { return at.joint->lean[at.which]; });
+    batch.cut_lo = offsets(sides, 1, [](At at, int) { return at.side().cut_lo; });
+    batch.across = numbers(sides, 1, [](At at, int) { return double(at.side().walk.across); });
+    batch.width = width_table(sides, kind != SideKind::uncut, [](At at) -> const SideStep& { return at.side(); });
+    if (kind == SideKind::uncut) {
+      const auto other = [](At at) -> const SideStep& { return at.joint->side[1 - at.which]; };
+      batch.free_edge = offsets(sides, 4, [&](At at, int row) {
+        return numbers_per_point * (plan_.patches[other(at).patch].base_net + at.joint->free_edge[row / 2][row % 2]);
+      });
+      batch.other_across = numbers(sides, 1, [&](At at, int) { return double(other(at).walk.across); });
+      batch.other_width = width_table(sides, true, other);
+    }
+    result_.sides_.push_back(batch);
+  }
+
+  void add_corners(const std::vector<const CornerStep*>& steps, int count) {
+    using Step = const CornerStep*;
+    CornerBatch batch;
+    batch.three_sided = steps.front()->shape.three_sided;
+    batch.count = count;
+    batch.memory = take_memory(memory_numbers<CornerMemory<double>>());
+    // Point t of edge e, `depth` rows from the transition's end; the edge `top` of three-sided corners is not there.
+    const auto point = [&](Step step, int row, int depth) {
+      const CornerEdgeLink& edge = step->edges[row / 4];
+      if (edge.joint < 0) return 0;
+      const JointStep& joint = plan_.joints[edge.joint];
+      const int column = edge.reversed ? 3 - row % 4 : row % 4;
+      return numbers_per_point * (joint.net + 4 * (edge.end == 0 ? depth : joint.net_degree - depth) + column);
+    };
+    batch.end = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 0); });
+    batch.next = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 1); });
+    batch.degree = numbers(steps, 4, [&](Step step, int e) {
+      return step->edges[e].joint < 0 ? 0.0 : double(plan_.joints[step->edges[e].joint].net_degree);
+    });
+    batch.net = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->net; });
+    batch.blend = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->blend; });
+    batch.seam = numbers(steps, 1, [](Step step, int) { return step->shape.seam ? 1.0 : 0.0; });
+    result_.corners_.push_back(batch);
+  }
+
+  BatchPlan& result_;
+  const BodyPlan& plan_;
+  int lanes_;
+  int memory_ = 0;
+};
+
+BatchPlan::BatchPlan(const BodyPlan& plan, int lanes) {
+  BatchPlanner planner(*this, plan, lanes);
+  planner.plan_patches();
+  planner.plan_seams();
+  planner.plan_sides();
+  planner.plan_corners();
+  planner.finish();
+}
+
+}  // namespace bodyline::model

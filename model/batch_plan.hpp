@@ -1,0 +1,32 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "model/body_plan.hpp"
+#include "model/batch_tables.hpp"
+
+namespace bodyline::model {
+
+/// Groups the steps of a body by what is done to them, `lanes` of a group at a time.
+class BatchPlan {
+ public:
+  BatchPlan(const BodyPlan& plan, int lanes);
+  BatchPlan(const BatchPlan&) = delete;
+  BatchPlan& operator=(const BatchPlan&) = delete;
+
+  /// Valid as long as this object.
+  const BatchTables& tables() const { return tables_; }
+
+ private:
+  friend class BatchPlanner;
+  std::deque<std::vector<int>> offsets_;
+  std::deque<std::vector<double>> numbers_;
+  std::vector<PatchBatch> patches_;
+  std::vector<SeamBatch> seams_;
+  std::vector<SideBatch> sides_;
+  std::vector<CornerBatch> corners_;
+  BatchTables tables_;
+};
+
+}  // namespace bodyline::model

@@ -1,0 +1,85 @@
+#pragma once
+
+/// The construction of a body as batches of equal steps: tables of where each step reads and writes. Plain pointers, for
+/// code that is compiled once per instruction set; batch_plan.hpp makes them.
+///
+/// A batch has `lanes` lanes, of which the first `count` hold a step each; the others repeat the last step, and their
+/// adjoints are dropped. A table's comment gives its indices, the lane always last. Entries are positions in the
+/// parameters or in the array of all nets, in numbers, not points; of a point, that of its x.
+namespace bodyline::model {
+
+/// Patches of equal degrees: base net, cut, kept net.
+struct PatchBatch {
+  int degree_u = 0, degree_v = 0, count = 0;
+  int memory = 0;  ///< place of its PatchMemory, in numbers of every lane
+  int boundary_count = 0;
+  const int* boundary_net = nullptr;        ///< [point]: index in the net, the same in all lanes
+  const int* boundary = nullptr;            ///< [point][lane]: parameter
+  const double* boundary_sign = nullptr;    ///< [point][lane]: of y, -1 where mirrored
+  const int *base = nullptr, *kept = nullptr;  ///< [lane]: nets
+  const int *shape_u = nullptr, *shape_v = nullptr, *cut = nullptr;  ///< [lane]: first parameter
+};
+
+/// Seams of equal degree that share no points.
+struct SeamBatch {
+  int degree = 0, count = 0, memory = 0;
+  const int* edge = nullptr;  ///< [point][lane]: of the kept net of a
+  const int *second_a = nullptr, *second_b = nullptr;
+};
+
+/// The width cut away from a side: offset + factor * parameter.
+struct WidthTable {
+  const int* parameter = nullptr;  ///< [lane]
+  const double *offset = nullptr, *factor = nullptr;
+};
+
+enum class SideKind {
+  plain,   ///< both sides of the joint are cut
+  raised,  ///< the other side is uncut: one degree higher
+  uncut
+};
+
+/// Sides of joints: two rows of a transition each.
+struct SideBatch {
+  SideKind kind = SideKind::plain;
+  bool leaning = false;
+  int degree = 0, count = 0, memory = 0;
+  const int *edge = nullptr, *second = nullptr;             ///< [point][lane]: rows of the kept net
+  const int *edge_row = nullptr, *handle_row = nullptr;     ///< [lane]: first points of the transition's rows
+  const int *fullness = nullptr, *lean = nullptr, *cut_lo = nullptr;  ///< [lane]
+  const double* across = nullptr;                           ///< [lane]: degree across the side
+  WidthTable width;                                         ///< 1 at an uncut side
+  /// Uncut sides only: the free edge of the other patch's base net, [end][at the joint, next][lane].
+  const int* free_edge = nullptr;
+  const double* other_across = nullptr;
+  WidthTable other_width;
+};
+
+/// Numbers between neighbouring points of a transition's row.
+inline constexpr int transition_row_step = 12;
+
+/// Corner patches of equal shape.
+struct CornerBatch {
+  bool three_sided = false;
+  int count = 0, memory = 0;
+  const int *end = nullptr, *next = nullptr;  ///< [edge][point][lane]: end row of the transition, the row before it
+  const double* degree = nullptr;             ///< [edge][lane]: of the transition along its joint
+  const int *net = nullptr, *blend = nullptr;
+  const double* seam = nullptr;               ///< [lane]: 1 where a seam ends, else 0
+};
+
+struct BatchTables {
+  int lanes = 0;
+  int number_count = 0;  ///< numbers in the array of all nets
+  int memory = 0;        ///< what all batches need, in numbers of every lane
+  int patch_count = 0, seam_count = 0, side_count = 0, corner_count = 0;
+  const PatchBatch* patches = nullptr;
+  const SeamBatch* seams = nullptr;
+  const SideBatch* sides = nullptr;
+  const CornerBatch* corners = nullptr;
+};
+
+/// The last stage to build, as `Stage`.
+enum class LastStage { base, kept, body };
+
+}  // namespace bodyline::model

@@ -1,0 +1,20 @@
+// Compiled once per instruction set, with BODYLINE_ISA_NAMESPACE naming the set. As in kernels_impl.cpp nothing of
+// another namespace may be instantiated or inlined here.
+
+#include "model/construction_lanes.hpp"
+
+#include "model/lane.hpp"
+#include "model/batch_construction.hpp"
+
+namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
+
+const LaneConstruction& construction() {
+  static constexpr LaneConstruction functions = {
+      .lanes = lanes,
+      .build = build_batches<Lane, double>,
+      .pullback = batches_pullback<Lane, double>,
+  };
+  return functions;
+}
+
+}  // namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE
