@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <stdexcept>
 
 #include "cli/fair_json.hpp"
 #include "cli/fair_report.hpp"
@@ -35,6 +36,10 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 
 optimize::FairOptions fair_options(const Request& request) {
   optimize::FairOptions options = request.options;
+  if (options.bounds.min_cut >= options.bounds.max_cut) {
+    throw std::invalid_argument(fmt::format("--min-cut {} must be below --max-cut {}", options.bounds.min_cut,
+                                            options.bounds.max_cut));
+  }
   options.terms = objective_from_text(request.objective, stage_from_name(request.stage));
   options.search.algorithm = optimize::algorithm_from_name(request.algorithm);
   options.hold = request.hold;

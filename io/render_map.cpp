@@ -22,7 +22,6 @@ constexpr std::array<std::pair<Map, const char*>, 7> names{{
     {Map::stages, "stages"},
 }};
 
-constexpr double zebra_stripe = 15.0;  // degrees, a dark and a light half together
 constexpr double range_share = 0.90;
 constexpr int scale_steps = 1024;  // of the colours of a curvature map: finer than the eye
 constexpr int range_samples = 8;   // per direction and face

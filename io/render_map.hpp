@@ -69,6 +69,9 @@ class MapColors {
   std::vector<Entry> entries_;
 };
 
+/// Width of a stripe of the zebra, a dark and a light half together, degrees of elevation.
+inline constexpr double zebra_stripe = 15.0;
+
 /// Angle, degrees, at which the colours of the isophotes end.
 inline constexpr double isophote_end = 120.0;
 

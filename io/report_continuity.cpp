@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t shown_rows = 8;
 constexpr double mm_per_m = 1000.0;
+constexpr double rounding = 1e-9;  // of degrees and mm: what is smaller is no property of the body
 
 struct EdgePair {
   const model::EdgeCheck *before = nullptr, *after = nullptr;
@@ -65,10 +66,17 @@ bool is_worse(const EdgePair& a, const EdgePair& b) {
          size_of(b.after->deviation.curvature_jump_per_mm);
 }
 
-std::string change_cell(double before, double after, bool warning) {
-  return fmt::format("<td class=\"number{}\" title=\"{} before, {} after\">{} → {}</td>",
-                     warning ? " warning" : "", exact_number(before), exact_number(after),
-                     html_number(before, 2), html_number(after, 2));
+std::string told(double value, double exact_below) {
+  if (value < exact_below) return "0";
+  return html_number(value, 2);
+}
+
+std::string change_cell(double before, double after, double exact_below, bool warning) {
+  const bool both_exact = before < exact_below && after < exact_below;
+  const std::string text = both_exact ? "exact" : told(before, exact_below) + " → " + told(after, exact_below);
+  return fmt::format("<td class=\"number{}\" title=\"{} before, {} after\">{}</td>",
+                     both_exact ? " exact" : warning ? " warning" : "", exact_number(before),
+                     exact_number(after), text);
 }
 
 std::string row(const EdgePair& pair) {
@@ -78,9 +86,10 @@ std::string row(const EdgePair& pair) {
                                                         : model::edge_kind_name(pair.after->kind);
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td>{}</td>{}{}{}</tr>\n", html_escaped(pair.after->name), kind,
-      change_cell(before.normal_deviation_deg, after.normal_deviation_deg, is_kinked(*pair.after)),
-      change_cell(before.gap_mm, after.gap_mm, is_open(*pair.after)),
-      change_cell(mm_per_m * before.curvature_jump_per_mm, mm_per_m * after.curvature_jump_per_mm, false));
+      change_cell(before.normal_deviation_deg, after.normal_deviation_deg, rounding, is_kinked(*pair.after)),
+      change_cell(before.gap_mm, after.gap_mm, rounding, is_open(*pair.after)),
+      change_cell(mm_per_m * before.curvature_jump_per_mm, mm_per_m * after.curvature_jump_per_mm,
+                  0.0, false));
 }
 
 std::string table(const std::vector<EdgePair>& pairs, std::size_t first, std::size_t last) {
@@ -126,7 +135,8 @@ std::string report_continuity_section(const ReportFacts& facts) {
   const std::size_t shown = std::min(shown_rows, pairs.size());
   std::string html = "<section>\n<h2>Continuity</h2>\n<p class=\"lead\">" + counts(pairs) +
                      "Measured on the control nets, before → after, worst first: gaps and kinks beyond the "
-                     "tolerances, then the jump of curvature across the edge.</p>\n";
+                     "tolerances, then the jump of curvature across the edge. Exact is what is within rounding (10<sup>−9</sup>); "
+                     "pointing at a number shows all its digits.</p>\n";
   html += table(pairs, 0, shown);
   if (shown < pairs.size()) {
     html += fmt::format("<details><summary>The other {} edges</summary>\n{}</details>\n", pairs.size() - shown,

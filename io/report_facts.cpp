@@ -18,11 +18,10 @@ ReportFacts report_facts(const FairReport& report) {
   return facts;
 }
 
-std::vector<std::string> folded_faces(const model::BodyCheck& check) {
+std::vector<std::string> folded_faces(const model::BodyCheck& check, model::Stage stage) {
   std::vector<std::string> names;
   for (const model::FaceCheck& face : check.faces) {
-    if (!face.fold.folded) continue;
-    names.push_back(face.stage == model::Stage::base ? face.name + " (whole patch)" : face.name);
+    if (face.fold.folded && face.stage == stage) names.push_back(face.name);
   }
   return names;
 }

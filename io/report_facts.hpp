@@ -17,8 +17,8 @@ struct ReportFacts {
 /// Checks both. Throws ModelError when a model is not connected.
 ReportFacts report_facts(const FairReport& report);
 
-/// Faces that fold over themselves, at any stage: " (whole patch)" marks those of Stage::base.
-std::vector<std::string> folded_faces(const model::BodyCheck& check);
+/// Faces that fold over themselves at a stage: at Stage::base whole patches, before their cut.
+std::vector<std::string> folded_faces(const model::BodyCheck& check, model::Stage stage);
 
 /// How joints of the finished body meet.
 struct JointFacts {

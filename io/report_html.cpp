@@ -70,9 +70,9 @@ std::string html_number(double value, int digits) {
   const std::string text = fmt::format("{:.{}e}", value, digits - 1);
   const std::size_t at = text.find('e');
   const int exponent = std::stoi(text.substr(at + 1));
-  return fmt::format("{}&#8239;·&#8239;10<sup>{}</sup>",
-                     with_minus(without_trailing_zeros(text.substr(0, at))),
-                     with_minus(std::to_string(exponent)));
+  const std::string factor = without_trailing_zeros(text.substr(0, at));
+  const std::string times = factor == "1" ? "" : with_minus(factor) + "&#8239;·&#8239;";
+  return fmt::format("{}10<sup>{}</sup>", times, with_minus(std::to_string(exponent)));
 }
 
 std::string plain_number(double value, int digits) {

@@ -9,7 +9,7 @@
 namespace bodyline::io {
 namespace {
 
-constexpr int cells_per_face = 18;
+constexpr int cells_per_face = 16;
 constexpr double full = 32767.0;
 constexpr double mm_per_m = 1000.0;
 // Normals and curvatures are taken this far inside a face, in its parameters: corner patches have

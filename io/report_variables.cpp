@@ -16,9 +16,9 @@ struct Kind {
   const char *prefix, *title, *text;
 };
 constexpr Kind kinds[] = {
-    {"shape.", "Shape", "shape parameters of the patches"},
+    {"shape.", "Shape", "how boundary curves are blended into patches"},
     {"cut.", "Cuts", "where patches are cut back, as a part of the patch"},
-    {"fullness.", "Fullness", "how far transitions reach"},
+    {"fullness.", "Fullness", "how far the handles of transitions reach"},
     {"lean.", "Lean", "sideways move of transitions at pillar feet"},
     {"curve.", "Curves", "coordinates of curve points, mm"},
     {"", "Others", "further variables"},
@@ -72,7 +72,7 @@ std::string group(const Kind& kind, const std::vector<const ReportVariable*>& va
     return *bound_reached(*v) != '\0';
   });
   std::string html = fmt::format(
-      "<div class=\"group\">\n<h3>{} <small>{} {}{}</small></h3>\n<div class=\"scroll\"><table>\n"
+      "<div class=\"group\">\n<h3>{} <small>{}: {}{}</small></h3>\n<div class=\"scroll\"><table>\n"
       "<thead><tr><th scope=\"col\">Variable</th><th class=\"number\" scope=\"col\">Start</th>"
       "<th class=\"number\" scope=\"col\">End</th><th class=\"number\" scope=\"col\">Move</th>"
       "<th class=\"track\" scope=\"col\">Within the bounds</th><th scope=\"col\">At</th></tr></thead>\n<tbody>\n",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "io/report_html.hpp"
 #include "io/report_sections.hpp"
@@ -42,13 +43,37 @@ std::string term_words(const ReportTerm& term) {
                      html_number(term.after), change.empty() ? "" : " (" + change + ")");
 }
 
+// Faces of the finished bodies, and patches of the tuned one before their cut, where a fold may be cut away.
+struct Folds {
+  std::vector<std::string> before, after, whole_patches;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// What the check finds and what the search says; they agree, unless the check looked more closely.
+Folds folds_of(const FairReport& report, const ReportFacts& facts) {
+  constexpr std::string_view whole = " (whole patch)";
+  Folds folds{folded_faces(facts.before, model::Stage::body), folded_faces(facts.after, model::Stage::body),
+              folded_faces(facts.after, model::Stage::base)};
+  for (const std::string& name : report.folded_faces) {
+    const bool before_cut = name.ends_with(whole);
+    std::vector<std::string>& names = before_cut ? folds.whole_patches : folds.after;
+    const std::string face = before_cut ? name.substr(0, name.size() - whole.size()) : name;
+    if (!contains(names, face)) names.push_back(face);
+  }
+  return folds;
+}
+
 std::string faces_words(std::size_t count) {
   return count == 0 ? "no face" : count == 1 ? "one face" : fmt::format("{} faces", count);
 }
 
-std::string fold_words(std::size_t before, std::size_t after) {
+std::string fold_words(const Folds& folds) {
+  const std::size_t before = folds.before.size(), after = folds.after.size();
   std::string words = faces_words(after) + (after > 1 ? " fold" : " folds");
-  if (before != after) words += fmt::format(" ({} did before)", faces_words(before));
+  if (before != after) words += fmt::format(" ({} did)", faces_words(before));
   return words;
 }
 
@@ -59,21 +84,6 @@ std::string joint_words(const JointFacts& facts) {
                        facts.worst_deg > 0.0 ? fmt::format(", to {} degrees", html_number(facts.worst_deg, 1)) : "");
   }
   return fmt::format("; {} of {} joints have a kink", facts.kinked, facts.joints);
-}
-
-struct Folds {
-  std::vector<std::string> before, after;
-};
-
-// What the search says and what the check finds; they agree, unless the check looked more closely.
-Folds folds_of(const FairReport& report, const ReportFacts& facts) {
-  Folds folds{folded_faces(facts.before), folded_faces(facts.after)};
-  for (const std::string& name : report.folded_faces) {
-    if (std::find(folds.after.begin(), folds.after.end(), name) == folds.after.end()) {
-      folds.after.push_back(name);
-    }
-  }
-  return folds;
 }
 
 std::string tile(const std::string& label, const std::string& value, const std::string& note,
@@ -94,7 +104,7 @@ std::string tiles(const FairReport& report, const ReportFacts& facts, const Fold
   html += tile("Times less", html_number(ratio, 3), "before ÷ after");
   html += tile("Faces that fold", std::to_string(folds.after.size()),
                fmt::format("were {}", folds.before.size()), !folds.after.empty());
-  html += tile("Largest kink at a joint", html_number(joints.worst_deg, 2), "degrees", joints.kinked > 0);
+  html += tile("Kink at joints", html_number(joints.worst_deg, 1), "degrees at most", joints.kinked > 0);
   html += tile("Variables moved", std::to_string(moved),
                fmt::format("of {} tuned", report.variables.size()));
   html += tile("Search", fmt::format("{} s", html_number(report.seconds, 2)),
@@ -102,13 +112,16 @@ std::string tiles(const FairReport& report, const ReportFacts& facts, const Fold
   return html + "</dl>\n";
 }
 
-std::string list_of_folds(const Folds& folds) {
-  if (folds.after.empty()) return "";
-  std::string html = "<p class=\"warning\">Still folded: ";
-  for (std::size_t k = 0; k < folds.after.size(); ++k) {
-    html += (k > 0 ? ", " : "") + html_escaped(folds.after[k]);
-  }
-  return html + ".</p>\n";
+std::vector<std::string> without(std::vector<std::string> names, const std::vector<std::string>& left_out) {
+  std::erase_if(names, [&](const std::string& name) { return contains(left_out, name); });
+  return names;
+}
+
+std::string names_sentence(const std::string& begin, const std::vector<std::string>& names, const char* kind) {
+  if (names.empty()) return "";
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + html_escaped(name);
+  return fmt::format("<p class=\"{}\">{}: {}.</p>\n", kind, begin, list);
 }
 
 }  // namespace
@@ -118,10 +131,12 @@ std::string report_verdict_section(const FairReport& report, const ReportFacts& 
   std::string html = "<header>\n<p class=\"over\">Bodyline · fairness tuning</p>\n";
   html += fmt::format("<h1>{}</h1>\n", html_escaped(report.title));
   html += fmt::format("<p class=\"verdict\">{}; {}{}.</p>\n", term_words(main_term(report)),
-                      fold_words(folds.before.size(), folds.after.size()),
+                      fold_words(folds),
                       joint_words(joint_facts(facts.after)));
-  html += list_of_folds(folds);
-  html += fmt::format("<p class=\"status\">How the search ended: {}</p>\n", html_escaped(report.status));
+  html += names_sentence("Folded", folds.after, "warning");
+  html += names_sentence("Folded before their cut, though not in the finished body",
+                         without(folds.whole_patches, folds.after), "status");
+  html += fmt::format("<p class=\"status\">{}</p>\n", html_escaped(report.status));
   html += tiles(report, facts, folds);
   return html + "</header>\n";
 }

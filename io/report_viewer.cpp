@@ -43,15 +43,15 @@ std::string report_viewer_section(const FairReport& report) {
   std::string mirrored;
   for (const bool face : mesh.mirrored) mirrored += face ? '1' : '0';
   std::string html = fmt::format(
-      "<section id=\"viewer\" hidden=\"hidden\" data-cells=\"{}\" data-mirrored=\"{}\">\n<h2>Turn it</h2>\n"
+      "<section id=\"viewer\" hidden=\"hidden\" data-cells=\"{0}\" data-mirrored=\"{1}\" "
+      "data-stripe=\"{2}\">\n<h2>Turn it</h2>\n"
       "<p class=\"lead\">Drag to turn, hold Ctrl and scroll to come closer, double-click to return. The "
       "slider blends the body before into the one after.</p>\n<div class=\"canvas\"><canvas "
       "tabindex=\"0\" aria-label=\"The body in three dimensions\"></canvas></div>\n<div "
       "class=\"controls\"><label>before <input class=\"blend\" type=\"range\" min=\"0\" max=\"1\" "
       "step=\"0.01\" value=\"1\"/> after</label><div class=\"tabs\" role=\"group\" aria-label=\"Colours\">"
-      "<button data-look=\"0\">Paint</button><button data-look=\"1\">Zebra</button><button "
-      "data-look=\"2\">Mean curvature</button></div><span class=\"scale\">± {} 1/m</span></div>\n",
-      mesh.cells, mirrored, plain_number(range));
+      "<button>Paint</button><button>Zebra</button><button>Mean curvature</button></div><span class=\"scale\">colours from −{3} to {3} 1/m</span></div>\n",
+      mesh.cells, mirrored, plain_number(zebra_stripe), plain_number(range));
   html += data("mesh-before", mesh.before) + data("mesh-after", mesh.after);
   return html + data("curvature-colors", curvature_colors()) + "</section>\n";
 }

@@ -21,23 +21,24 @@
     in vec3 normal, point;
     in float curvature;
     uniform vec3 eye;
+    uniform float period;
     uniform int look;
     uniform sampler2D scale;
     out vec4 color;
     vec3 sky(vec3 d) {
-      float light = mix(0.34, 0.92, smoothstep(-0.05, 0.8, d.z));
-      light = mix(0.72, light, smoothstep(-0.25, 0.05, d.z));
-      light += 0.75 * smoothstep(0.30, 0.40, d.z) * (1.0 - smoothstep(0.52, 0.62, d.z));
-      light += 0.85 * smoothstep(0.86, 0.93, d.z);
+      float light = mix(0.40, 0.95, smoothstep(-0.05, 0.8, d.z));
+      light = mix(0.78, light, smoothstep(-0.25, 0.05, d.z));
+      light += 0.80 * smoothstep(0.30, 0.42, d.z) * (1.0 - smoothstep(0.50, 0.62, d.z));
+      light += 0.90 * smoothstep(0.84, 0.94, d.z);
       return vec3(0.985, 0.995, 1.02) * light;
     }
     vec3 paint(vec3 n, vec3 d, float facing) {
-      vec3 base = vec3(0.36, 0.46, 0.58) * (0.35 + 0.65 * (0.5 + 0.5 * n.z));
-      float mirrored = 0.10 + 0.9 * pow(1.0 - facing, 4.0);
+      vec3 base = vec3(0.46, 0.55, 0.66) * (0.62 + 0.38 * n.z);
+      float mirrored = 0.16 + 0.4 * pow(1.0 - facing, 4.0);
       return base + mirrored * sky(d);
     }
     float zebra(vec3 d) {
-      float stripe = degrees(acos(clamp(d.z, -1.0, 1.0))) / 10.0;
+      float stripe = degrees(acos(clamp(d.z, -1.0, 1.0))) / period;
       float edge = max(fwidth(stripe), 1e-4);
       float wave = abs(fract(stripe) - 0.5) - 0.25;
       return clamp(0.5 + wave / edge, 0.0, 1.0);
@@ -50,7 +51,7 @@
       vec3 chosen = paint(n, d, max(facing, 0.0));
       if (look == 1) chosen = form * mix(vec3(0.96), vec3(0.12, 0.13, 0.16), zebra(d));
       if (look == 2) chosen = form * texture(scale, vec2(0.5 + 0.5 * curvature, 0.5)).rgb;
-      color = vec4(facing < 0.0 ? vec3(0.20, 0.22, 0.25) : chosen, 1.0);
+      color = vec4(facing < -0.12 ? vec3(0.20, 0.22, 0.25) : chosen, 1.0);
     }`;
 
   function bytes(id) {
@@ -90,12 +91,14 @@
     const right = [Math.sin(a), -Math.cos(a), 0];
     const up = [away[1] * right[2] - away[2] * right[1], away[2] * right[0] - away[0] * right[2],
       away[0] * right[1] - away[1] * right[0]];
-    const distance = 5.0, near = 3.0, far = 7.0;
+    const distance = 5.0, near = 3.0, far = 7.0, lift = 0.1;
     const zoom = view.zoom * distance * Math.min(1.0, aspect / 2.0);
     const f = [zoom / aspect, zoom, -(far + near) / (far - near)];
     const matrix = [];
-    for (let k = 0; k < 3; ++k) matrix.push(f[0] * right[k], f[1] * up[k], f[2] * away[k], -away[k]);
-    matrix.push(0, 0, -f[2] * distance - 2 * far * near / (far - near), distance);
+    for (let k = 0; k < 3; ++k) {
+      matrix.push(f[0] * right[k], f[1] * up[k] - lift * away[k], f[2] * away[k], -away[k]);
+    }
+    matrix.push(0, lift * distance, -f[2] * distance - 2 * far * near / (far - near), distance);
     return { matrix, eye: away.map((x) => distance * x) };
   }
 
@@ -106,7 +109,7 @@
     section.hidden = false;
     const cells = Number(section.dataset.cells), stride = 16, vertices = (cells + 1) ** 2;
     const mirrored = [...section.dataset.mirrored].map((flag) => flag === '1');
-    const linked = program(gl), home = { azimuth: 38, elevation: 16, zoom: 1.0 };
+    const linked = program(gl), home = { azimuth: 38, elevation: 16, zoom: 2.15 };
     const view = { ...home }, state = { blend: 1, look: 0, waiting: false };
     const uniform = (name) => gl.getUniformLocation(linked, name);
 
@@ -152,6 +155,7 @@
       gl.uniform3fv(uniform('eye'), eye);
       gl.uniform1f(uniform('blend'), state.blend);
       gl.uniform1i(uniform('look'), state.look);
+      gl.uniform1f(uniform('period'), Number(section.dataset.stripe));
       mirrored.forEach((twice, face) => {
         useFace(face);
         (twice ? [1, -1] : [1]).forEach((side) => {
@@ -174,9 +178,12 @@
       redraw();
     };
 
-    canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
+    let last = null;
+    canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture((last = event).pointerId));
     canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons & 1) turn(0.35 * event.movementX, 0.35 * event.movementY);
+      if (!(event.buttons & 1) || !last) return;
+      turn(0.35 * (event.clientX - last.clientX), 0.35 * (event.clientY - last.clientY));
+      last = event;
     });
     canvas.addEventListener('wheel', (event) => {
       if (!event.ctrlKey) return;

@@ -8,7 +8,8 @@
 namespace bodyline::io {
 namespace {
 
-constexpr int most_ticks = 7;
+constexpr int most_ticks = 7, fewest_ticks = 2;
+constexpr double margin = 0.03;  // of the range, beyond the values on both sides
 
 // 1, 2 or 5 times a power of ten, not below `step`.
 double round_step(double step) {
@@ -20,35 +21,35 @@ double round_step(double step) {
 }
 
 std::vector<double> linear_ticks(double low, double high) {
-  if (!(high > low)) {
-    const double margin = low == 0.0 ? 1.0 : 0.5 * std::abs(low);
-    low -= margin;
-    high += margin;
-  }
-  const double step = round_step((high - low) / (most_ticks - 2));
+  const double step = round_step((high - low) / most_ticks);
   std::vector<double> ticks;
-  const double first = std::floor(low / step * (1.0 + 1e-12));
-  for (double k = first; ticks.size() < 2 || ticks.back() < high - 1e-9 * step; ++k) {
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
     ticks.push_back(k * step);
   }
   return ticks;
 }
 
-// Powers of ten; within two decades also 2 and 5 times these. Only what the values need.
-std::vector<double> logarithmic_ticks(double low, double high) {
-  const int first = int(std::floor(std::log10(low))), last = int(std::ceil(std::log10(high)));
-  const int every = std::max(1, (last - first + most_ticks - 1) / most_ticks);
+// The factors times every n-th power of ten, as far as they lie between low and high.
+std::vector<double> decade_ticks(double low, double high, const std::vector<double>& factors, int every) {
   std::vector<double> ticks;
-  for (int exponent = first; exponent <= last + every - 1; exponent += every) {
-    const double power = std::pow(10.0, exponent);
-    ticks.push_back(power);
-    if (last - first > 2 || exponent == last) continue;
-    ticks.insert(ticks.end(), {2.0 * power, 5.0 * power});
+  const int first = int(std::floor(std::log10(low))), last = int(std::ceil(std::log10(high)));
+  for (int exponent = first - first % every - every; exponent <= last; exponent += every) {
+    for (const double factor : factors) {
+      const double tick = factor * std::pow(10.0, exponent);
+      if (tick >= low && tick <= high) ticks.push_back(tick);
+    }
   }
-  if (ticks.size() < 2) ticks.push_back(10.0 * ticks.back());
-  while (ticks.size() > 2 && ticks[1] <= low) ticks.erase(ticks.begin());
-  while (ticks.size() > 2 && ticks[ticks.size() - 2] >= high) ticks.pop_back();
   return ticks;
+}
+
+std::vector<double> logarithmic_ticks(double low, double high) {
+  const double decades = std::log10(high / low);
+  if (decades > most_ticks - 1) return decade_ticks(low, high, {1.0}, int(decades / (most_ticks - 1)) + 1);
+  for (const std::vector<double>& factors : {std::vector{1.0}, {1.0, 3.0}, {1.0, 2.0, 5.0}}) {
+    std::vector<double> ticks = decade_ticks(low, high, factors, 1);
+    if (int(ticks.size()) > fewest_ticks) return ticks;
+  }
+  return linear_ticks(low, high);
 }
 
 }  // namespace
@@ -56,13 +57,18 @@ std::vector<double> logarithmic_ticks(double low, double high) {
 ChartAxis::ChartAxis(const std::vector<double>& values, Scale scale) : scale_(scale) {
   std::vector<double> shown;
   for (const double value : values) {
-    if (shows(value)) shown.push_back(value);
+    if (shows(value)) shown.push_back(scaled(value));
   }
-  if (shown.empty()) shown = {1.0};
+  if (shown.empty()) shown = {0.0};
   const auto [low, high] = std::minmax_element(shown.begin(), shown.end());
-  ticks_ = scale == Scale::linear ? linear_ticks(*low, *high) : logarithmic_ticks(*low, *high);
-  low_ = scaled(ticks_.front());
-  high_ = scaled(ticks_.back());
+  const double range = *high > *low ? *high - *low : std::max(1.0, std::abs(*low));
+  low_ = *low - margin * range;
+  high_ = *high + margin * range;
+  if (scale == Scale::linear) {
+    ticks_ = linear_ticks(low_, high_);
+  } else {
+    ticks_ = logarithmic_ticks(std::pow(10.0, low_), std::pow(10.0, high_));
+  }
 }
 
 bool ChartAxis::shows(double value) const {
@@ -77,6 +83,6 @@ double ChartAxis::scaled(double value) const {
   return scale_ == Scale::linear ? value : std::log10(value);
 }
 
-std::string ChartAxis::label(double tick) { return plain_number(tick, 3); }
+std::string ChartAxis::label(double tick) { return plain_number(tick, 6); }
 
 }  // namespace bodyline::io

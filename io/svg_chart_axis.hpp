@@ -5,13 +5,12 @@
 
 namespace bodyline::io {
 
-/// One axis of a chart: from values to positions between 0 and 1, with round ticks. Logarithmic when
-/// asked for and all values are positive, else linear.
+/// One axis of a chart: from values to positions between 0 and 1, with round ticks.
 class ChartAxis {
  public:
   enum class Scale { linear, logarithmic };
 
-  /// Covers all finite values and ends at ticks; values that are not finite are passed over, and on
+  /// Covers all finite values and a little more; values that are not finite are passed over, and on
   /// a logarithmic axis those that are not positive too.
   ChartAxis(const std::vector<double>& values, Scale scale);
 

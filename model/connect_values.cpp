@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "model/cut.hpp"
@@ -182,6 +183,22 @@ void check_seam_leans(const Model& model, const Connectivity& links) {
   }
 }
 
+// Models made in code may hold the default indices.
+void check_indices(const Model& model) {
+  const auto check = [&](int patch, const std::string& key) {
+    if (patch < 0 || patch >= int(model.patches.size())) throw ModelError(key, "names no patch of this model");
+  };
+  for (const Joint& joint : model.joints) {
+    for (const PatchSide& side : {joint.a, joint.b}) check(side.patch, "joints." + joint.name + ".between");
+  }
+  for (const Seam& seam : model.seams) {
+    for (const PatchSide& side : {seam.a, seam.b}) check(side.patch, "seams." + seam.name + ".between");
+  }
+  for (const Corner& corner : model.corners) {
+    for (int patch : corner.patches) check(patch, "corners." + corner.name + ".patches");
+  }
+}
+
 }  // namespace
 
 bool lean_allowed(const Model& model, const Connectivity& links, int joint, int side, int end) {
@@ -196,6 +213,7 @@ bool lean_allowed(const Model& model, const Connectivity& links, int joint, int 
 }
 
 void check_numbers(const Model& model) {
+  check_indices(model);
   check_names(model.curves, "curves");
   check_names(model.patches, "patches");
   check_names(model.joints, "joints");
@@ -240,6 +258,11 @@ void check_values(const Model& model, const Connectivity& links) {
 }
 
 double signed_volume(const Model& model, const Connectivity& links) {
+  // Heights above the lowest point: the body may be open below.
+  double ground = std::numeric_limits<double>::infinity();
+  for (const Curve& curve : model.curves) {
+    for (const Eigen::Vector3d& point : curve.points) ground = std::min(ground, point.z());
+  }
   double volume = 0.0;
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
@@ -252,7 +275,7 @@ double signed_volume(const Model& model, const Connectivity& links) {
     const Eigen::Vector3d p00 = corner(Side::u0, 0), p01 = corner(Side::u0, 1);
     const Eigen::Vector3d p10 = corner(Side::u1, 0), p11 = corner(Side::u1, 1);
     const Eigen::Vector3d area = 0.5 * (p11 - p00).cross(p01 - p10);
-    const double height = 0.25 * (p00.z() + p01.z() + p10.z() + p11.z());
+    const double height = 0.25 * (p00.z() + p01.z() + p10.z() + p11.z()) - ground;
     volume += (links.patches[p].inward ? -1.0 : 1.0) * height * area.z() * (patch.central ? 1.0 : 2.0);
   }
   return volume;

@@ -277,6 +277,7 @@ Eigen::VectorXd Evaluator::start() const {
 
 void Evaluator::build(const Eigen::VectorXd& x) {
   State& s = *state_;
+  if (x.size() != size()) throw std::invalid_argument("an evaluator was given a vector of the wrong size");
   s.context->map.scatter(s.selected, x, s.parameters);
   s.builder->build(s.parameters.data(), s.stage);
 }
@@ -288,12 +289,19 @@ double Evaluator::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) 
   if (with_gradient) s.clear_adjoints();
   s.run_faces(with_gradient);
   const double value = s.sum_terms(with_gradient);
-  if (with_gradient) s.pull_back(*gradient);
+  if (with_gradient) {
+    gradient->resize(size());
+    s.pull_back(*gradient);
+  }
   return value;
 }
 
 void Evaluator::build_pullback(const std::vector<double>& nets_bar, Eigen::VectorXd& gradient) {
   State& s = *state_;
+  if (nets_bar.size() != 3 * std::size_t(s.context->plan.point_count)) {
+    throw std::invalid_argument("an evaluator was given adjoints of the wrong size");
+  }
+  gradient.resize(size());
   std::copy(nets_bar.begin(), nets_bar.end(), s.nets_bar());
   s.pull_back(gradient);
 }

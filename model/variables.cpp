@@ -150,11 +150,19 @@ VariableMap::VariableMap(const Model& model, const Connectivity& links, const Va
 std::vector<int> VariableMap::select(std::span<const std::string> patterns) const {
   std::vector<char> chosen(variables_.size(), 0);
   for (const std::string& pattern : patterns) {
-    bool any = false;
+    bool any = false, fixed = false;
     for (int parameter = 0; parameter < layout_.size(); ++parameter) {
-      if (owner_[parameter] < 0 || !name_matches(pattern, names_[parameter])) continue;
+      if (!name_matches(pattern, names_[parameter])) continue;
+      if (owner_[parameter] < 0) {
+        fixed = true;
+        continue;
+      }
       chosen[owner_[parameter]] = 1;
       any = true;
+    }
+    if (!any && fixed) {
+      throw std::invalid_argument("\"" + pattern + "\" is fixed: a cut where no joint is, a lean away from a seam, or a "
+                                  "coordinate in the symmetry plane");
     }
     if (!any) {
       throw std::invalid_argument("no variable matches \"" + pattern + "\"; the nearest name is \"" +

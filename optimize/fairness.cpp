@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -23,8 +24,10 @@ bool on_faces(const model::Term& term) {
 }
 
 // One barrier for every selection of faces that an objective names, and for the whole patches below a body's.
+// A barrier among the terms is the user's own choice and stays the only one.
 std::vector<model::Term> with_barriers(std::vector<model::Term> terms, double weight) {
-  if (weight <= 0.0) return terms;
+  const auto is_barrier = [](const model::Term& term) { return term.kind == model::TermKind::fold; };
+  if (weight <= 0.0 || std::any_of(terms.begin(), terms.end(), is_barrier)) return terms;
   std::vector<model::Term> barriers;
   const auto add = [&](model::Stage stage, const std::vector<std::string>& faces) {
     for (const model::Term& known : barriers) {
@@ -86,6 +89,7 @@ class Tuner {
 
   Eigen::VectorXd unfold(const Eigen::VectorXd& x, FairResult& result) const;
   Eigen::VectorXd search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x, FairResult& result) const;
+  Eigen::VectorXd search_unfolded(Eigen::VectorXd x, FairResult& result);
   std::vector<std::string> folded_faces(const Eigen::VectorXd& x) const;
 
   model::Model model_at(const Eigen::VectorXd& x) const;
@@ -108,6 +112,8 @@ Eigen::VectorXd Tuner::search(const std::vector<model::Term>& terms, const Eigen
   // Evaluations and time run on from phase to phase.
   const int before = result.evaluations;
   const double seconds_before = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  // The time limit holds for all phases together.
+  if (search.max_seconds > 0.0) search.max_seconds = std::max(1e-3, search.max_seconds - seconds_before);
   search.on_progress = [&, seconds_before](const Progress& progress) {
     Progress shifted = progress;
     shifted.evaluation += before;
@@ -151,11 +157,11 @@ model::Model Tuner::model_at(const Eigen::VectorXd& x) const {
   return model;
 }
 
-// Faces under a barrier on which a normal turns by more than 90 degrees against the face's mean normal.
+// Faces that the objective looks at, barrier or not, on which a normal turns by more than 90 degrees against the face's mean normal.
 std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
   std::vector<std::string> names;
   const model::Model model = model_at(x);
-  for (const model::Term& term : terms_) {
+  for (const model::Term& term : with_barriers(options_.terms, 1.0)) {
     if (term.kind != model::TermKind::fold) continue;
     for (const model::Surface& face : model::build(model, term.stage, model::Halves::left_and_central)) {
       const bool chosen = term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
@@ -166,6 +172,35 @@ std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
     }
   }
   return names;
+}
+
+// A body with fewer folds is better, whatever its energies, which are singular across a fold.
+bool is_worse(const FairResult& result, const std::vector<std::string>& folded_at_start) {
+  if (result.folded_faces.size() != folded_at_start.size()) {
+    return result.folded_faces.size() > folded_at_start.size();
+  }
+  return std::isfinite(result.start.value) && !(result.end.value <= result.start.value);
+}
+
+// Searches with ever stronger barriers until nothing folds; otherwise keeps the round with the fewest folds.
+Eigen::VectorXd Tuner::search_unfolded(Eigen::VectorXd x, FairResult& result) {
+  std::vector<model::Term> terms = terms_;
+  Eigen::VectorXd best;
+  for (int round = 0; round < barrier_rounds; ++round) {
+    x = search(terms, x, result);
+    const std::vector<std::string> folded = folded_faces(x);
+    if (round == 0 || folded.size() < result.folded_faces.size()) {
+      best = x;
+      result.folded_faces = folded;
+    }
+    const bool stopped = result.status == Status::interrupted || result.status == Status::time_limit;
+    if (folded.empty() || stopped || options_.fold_weight <= 0.0) break;
+    for (model::Term& term : terms) {
+      if (term.kind == model::TermKind::fold) term.weight *= barrier_growth;
+    }
+    fold_.cosine += barrier_cosine_step;
+  }
+  return best;
 }
 
 FairResult Tuner::run() {
@@ -179,24 +214,15 @@ FairResult Tuner::run() {
     result.lower = problem.lower();
     result.upper = problem.upper();
   }
+  const std::vector<std::string> folded_at_start = folded_faces(given);
   Eigen::VectorXd x = given.cwiseMax(result.lower).cwiseMin(result.upper);
-  x = unfold(x, result);
-  std::vector<model::Term> terms = terms_;
-  for (int round = 0; round < barrier_rounds; ++round) {
-    x = search(terms, x, result);
-    result.folded_faces = folded_faces(x);
-    if (result.folded_faces.empty() || result.status == Status::interrupted) break;
-    for (model::Term& term : terms) {
-      if (term.kind == model::TermKind::fold) term.weight *= barrier_growth;
-    }
-    fold_.cosine += barrier_cosine_step;
-  }
+  x = search_unfolded(unfold(x, result), result);
   result.end = measure(x);
-  if (!(result.end.value <= result.start.value)) {
+  if (is_worse(result, folded_at_start)) {
     // The search may have started elsewhere: bounds narrower than the given model's values.
     x = given;
     result.end = result.start;
-    result.folded_faces = folded_faces(x);
+    result.folded_faces = folded_at_start;
     if (result.status != Status::interrupted) result.status = Status::no_progress;
   }
   for (int v : selected_) result.variables.push_back(context_->map.variables()[v].name);

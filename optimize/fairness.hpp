@@ -33,7 +33,7 @@ struct FairResult {
   Status status = Status::failed;
   model::Model model;                ///< the tuned model; the given one when nothing better was found
   std::vector<model::Term> terms;    ///< those of the options and the fold barriers
-  Measured start, end;               ///< by report_nodes; end.value <= start.value
+  Measured start, end;               ///< by report_nodes; end.value <= start.value unless fewer faces fold
   std::vector<std::string> variables;  ///< names of the varied variables
   Eigen::VectorXd start_values, end_values;
   Eigen::VectorXd lower, upper;  ///< their bounds
