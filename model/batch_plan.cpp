@@ -11,8 +11,6 @@ namespace bodyline::model {
 namespace {
 
 constexpr int numbers_per_point = 3;
-constexpr int alignment = 8;         // of memory, in numbers
-constexpr int narrowest_vector = 4;  // what has fewer lanes than this is built one step at a time
 
 template <class Memory>
 constexpr int memory_numbers() {
@@ -98,6 +96,7 @@ class BatchPlanner {
 
   void finish() {
     BatchTables& tables = result_.tables_;
+    tables.lanes = lanes_;
     tables.number_count = numbers_per_point * plan_.point_count;
     tables.memory = memory_;
     tables.patch_count = int(result_.patches_.size());
@@ -111,26 +110,15 @@ class BatchPlanner {
   }
 
  private:
-  // How many lanes the next batch of `left` steps gets.
-  int next_lanes(int left) const {
-    const int half = lanes_ / 2;
-    if (left >= lanes_) return lanes_;
-    if (left == 1 || half < 2) return left == 1 ? 1 : lanes_;
-    if (half < narrowest_vector) return lanes_;
-    return left <= half + 1 ? half : lanes_;
-  }
-
-  // Cuts a group into batches; where lanes are left over they repeat the last step.
+  // Cuts a group into lots of `lanes` steps; the last is filled up with its last step.
   template <class Step, class Add>
   void for_each_batch(const std::vector<Step>& group, const Add& add) {
-    std::size_t first = 0;
-    while (first < group.size()) {
-      const int lanes = next_lanes(int(group.size() - first));
-      const int count = std::min(lanes, int(group.size() - first));
-      std::vector<Step> steps(group.begin() + first, group.begin() + first + count);
-      steps.resize(lanes, steps.back());
+    for (std::size_t first = 0; first < group.size(); first += lanes_) {
+      const std::size_t last = std::min(group.size(), first + lanes_);
+      std::vector<Step> steps(group.begin() + first, group.begin() + last);
+      const int count = int(steps.size());
+      steps.resize(lanes_, steps.back());
       add(steps, count);
-      first += count;
     }
   }
 
@@ -152,10 +140,9 @@ class BatchPlanner {
     return table.data();
   }
 
-  // A place for what a batch keeps: so many numbers of each lane.
-  int take_memory(std::size_t lanes, int of_each_lane) {
+  int take_memory(int numbers_needed) {
     const int at = memory_;
-    memory_ += (int(lanes) * of_each_lane + alignment - 1) / alignment * alignment;
+    memory_ += numbers_needed;
     return at;
   }
 
@@ -165,9 +152,8 @@ class BatchPlanner {
     PatchBatch batch;
     batch.degree_u = first.degree_u;
     batch.degree_v = first.degree_v;
-    batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(steps.size(), patch_memory_numbers(first.degree_u, first.degree_v));
+    batch.memory = take_memory(patch_memory_numbers(first.degree_u, first.degree_v));
     batch.boundary_count = int(first.boundary.size());
     std::vector<int>& indices = result_.offsets_.emplace_back();
     for (const PatchStep::BoundaryPoint& point : first.boundary) indices.push_back(point.net_index);
@@ -188,9 +174,8 @@ class BatchPlanner {
     using Step = const SeamStep*;
     SeamBatch batch;
     batch.degree = steps.front()->degree;
-    batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(steps.size(), memory_numbers<SeamMemory<double>>());
+    batch.memory = take_memory(memory_numbers<SeamMemory<double>>());
     const int points = batch.degree + 1;
     batch.edge = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 0); });
     batch.second_a = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 1); });
@@ -216,9 +201,8 @@ class BatchPlanner {
     batch.kind = kind;
     batch.leaning = sides.front().joint->leaning[sides.front().which] && kind != SideKind::uncut;
     batch.degree = sides.front().joint->degree;
-    batch.lanes = int(sides.size());
     batch.count = count;
-    batch.memory = take_memory(sides.size(), memory_numbers<SideMemory<double>>());
+    batch.memory = take_memory(memory_numbers<SideMemory<double>>());
     using At = const JointSide&;
     const int points = batch.degree + 1;
     batch.edge = offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 0); });
@@ -247,9 +231,8 @@ class BatchPlanner {
     using Step = const CornerStep*;
     CornerBatch batch;
     batch.three_sided = steps.front()->shape.three_sided;
-    batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(steps.size(), memory_numbers<CornerMemory<double>>());
+    batch.memory = take_memory(memory_numbers<CornerMemory<double>>());
     // Point t of edge e, `depth` rows from the transition's end; the edge `top` of three-sided corners is not there.
     const auto point = [&](Step step, int row, int depth) {
       const CornerEdgeLink& edge = step->edges[row / 4];

@@ -4,14 +4,14 @@
 /// code that is compiled once per instruction set; batch_plan.hpp makes them.
 ///
 /// A batch has `lanes` lanes, of which the first `count` hold a step each; the others repeat the last step, and their
-/// adjoints are dropped. `memory` is where what it keeps for the pullback begins, in numbers. A table's comment gives its indices, the lane always last. Entries are positions in the
+/// adjoints are dropped. A table's comment gives its indices, the lane always last. Entries are positions in the
 /// parameters or in the array of all nets, in numbers, not points; of a point, that of its x.
 namespace bodyline::model {
 
 /// Patches of equal degrees: base net, cut, kept net.
 struct PatchBatch {
-  int lanes = 0, count = 0, memory = 0;
-  int degree_u = 0, degree_v = 0;
+  int degree_u = 0, degree_v = 0, count = 0;
+  int memory = 0;  ///< place of its PatchMemory, in numbers of every lane
   int boundary_count = 0;
   const int* boundary_net = nullptr;        ///< [point]: index in the net, the same in all lanes
   const int* boundary = nullptr;            ///< [point][lane]: parameter
@@ -22,8 +22,7 @@ struct PatchBatch {
 
 /// Seams of equal degree that share no points.
 struct SeamBatch {
-  int lanes = 0, count = 0, memory = 0;
-  int degree = 0;
+  int degree = 0, count = 0, memory = 0;
   const int* edge = nullptr;  ///< [point][lane]: of the kept net of a
   const int *second_a = nullptr, *second_b = nullptr;
 };
@@ -42,10 +41,9 @@ enum class SideKind {
 
 /// Sides of joints: two rows of a transition each.
 struct SideBatch {
-  int lanes = 0, count = 0, memory = 0;
   SideKind kind = SideKind::plain;
   bool leaning = false;
-  int degree = 0;
+  int degree = 0, count = 0, memory = 0;
   const int *edge = nullptr, *second = nullptr;             ///< [point][lane]: rows of the kept net
   const int *edge_row = nullptr, *handle_row = nullptr;     ///< [lane]: first points of the transition's rows
   const int *fullness = nullptr, *lean = nullptr, *cut_lo = nullptr;  ///< [lane]
@@ -62,8 +60,8 @@ inline constexpr int transition_row_step = 12;
 
 /// Corner patches of equal shape.
 struct CornerBatch {
-  int lanes = 0, count = 0, memory = 0;
   bool three_sided = false;
+  int count = 0, memory = 0;
   const int *end = nullptr, *next = nullptr;  ///< [edge][point][lane]: end row of the transition, the row before it
   const double* degree = nullptr;             ///< [edge][lane]: of the transition along its joint
   const int *net = nullptr, *blend = nullptr;
@@ -71,8 +69,9 @@ struct CornerBatch {
 };
 
 struct BatchTables {
+  int lanes = 0;
   int number_count = 0;  ///< numbers in the array of all nets
-  int memory = 0;        ///< numbers that all batches keep
+  int memory = 0;        ///< what all batches need, in numbers of every lane
   int patch_count = 0, seam_count = 0, side_count = 0, corner_count = 0;
   const PatchBatch* patches = nullptr;
   const SeamBatch* seams = nullptr;
