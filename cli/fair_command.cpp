@@ -37,8 +37,8 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 optimize::FairOptions fair_options(const Request& request) {
   optimize::FairOptions options = request.options;
   if (options.bounds.min_cut >= options.bounds.max_cut) {
-    throw std::invalid_argument(fmt::format("--min-cut {} must be below --max-cut {}", options.bounds.min_cut,
-                                            options.bounds.max_cut));
+    throw std::invalid_argument(fmt::format("--min-cut {} must be below --max-cut {}",
+                                            options.bounds.min_cut, options.bounds.max_cut));
   }
   options.terms = objective_from_text(request.objective, stage_from_name(request.stage));
   options.search.algorithm = optimize::algorithm_from_name(request.algorithm);
@@ -64,8 +64,7 @@ optimize::FairResult tune(Context& context, const model::Model& model,
   return optimize::fair(model, options);
 }
 
-void print_summary(Context& context, const optimize::FairResult& result,
-                   const Request& request) {
+void print_summary(Context& context, const optimize::FairResult& result, const Request& request) {
   std::string text =
       fmt::format("{}\n\n{:<28} {:>14} {:>14} {:>8}\n", optimize::status_words(result.status), "",
                   "before", "after", "ratio");

@@ -8,14 +8,15 @@ namespace {
 // Barriers exist at several stages.
 std::string report_term_name(const model::Term& term) {
   const std::string key = term_key(term);
-  return term.kind == model::TermKind::fold ? key + " (" + model::stage_name(term.stage) + ")" : key;
+  return term.kind == model::TermKind::fold ? key + " (" + model::stage_name(term.stage) + ")"
+                                            : key;
 }
 
 std::vector<io::ReportTerm> report_terms(const optimize::FairResult& result) {
   std::vector<io::ReportTerm> terms;
   for (std::size_t t = 0; t < result.terms.size(); ++t) {
-    terms.push_back({report_term_name(result.terms[t]), result.terms[t].weight, result.start.terms[t],
-                     result.end.terms[t]});
+    terms.push_back({report_term_name(result.terms[t]), result.terms[t].weight,
+                     result.start.terms[t], result.end.terms[t]});
   }
   return terms;
 }
@@ -24,8 +25,8 @@ std::vector<io::ReportVariable> report_variables(const optimize::FairResult& res
   std::vector<io::ReportVariable> variables;
   for (std::size_t k = 0; k < result.variables.size(); ++k) {
     const auto i = Eigen::Index(k);
-    variables.push_back({result.variables[k], result.start_values[i], result.end_values[i], result.lower[i],
-                         result.upper[i]});
+    variables.push_back({result.variables[k], result.start_values[i], result.end_values[i],
+                         result.lower[i], result.upper[i]});
   }
   return variables;
 }

@@ -12,13 +12,16 @@ namespace {
 constexpr PictureSize picture_size{1200, 675};
 
 std::string head(const FairReport& report) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
+         "name=\"viewport\" "
          "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
          html_escaped(report.title) + "</title>\n<style>\n" + std::string(report_style_sheet()) +
          "</style>\n</head>\n";
 }
 
-std::string script(std::string_view text) { return "<script>\n" + std::string(text) + "</script>\n"; }
+std::string script(std::string_view text) {
+  return "<script>\n" + std::string(text) + "</script>\n";
+}
 
 }  // namespace
 
@@ -39,7 +42,8 @@ std::string fair_report_page(const FairReport& report, const PictureSize& pictur
   return html + "</body>\n</html>\n";
 }
 
-void write_fair_report(const FairReport& report, const std::filesystem::path& path, Overwrite overwrite) {
+void write_fair_report(const FairReport& report, const std::filesystem::path& path,
+                       Overwrite overwrite) {
   write_file(path, fair_report_page(report, picture_size), overwrite);
 }
 

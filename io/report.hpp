@@ -31,9 +31,9 @@ struct ReportStep {
 
 /// What the report of a tuning run shows. Plain data: the run itself is known to no one here.
 struct FairReport {
-  std::string title;        ///< for example "model1, tuned"
-  std::string status;       ///< how the search ended, in words
-  std::string command;      ///< the command line that repeats it
+  std::string title;    ///< for example "model1, tuned"
+  std::string status;   ///< how the search ended, in words
+  std::string command;  ///< the command line that repeats it
   model::Model before, after;
   std::vector<ReportTerm> terms;
   std::vector<ReportVariable> variables;
@@ -44,8 +44,10 @@ struct FairReport {
   double seconds = 0.0;
 };
 
-/// Writes one self-contained HTML page (no network, no scripts from elsewhere): verdict, pictures before and after,
-/// objective terms, bending per face, continuity, how the search went, what moved. Throws as write_file does.
-void write_fair_report(const FairReport& report, const std::filesystem::path& path, Overwrite overwrite = Overwrite::never);
+/// Writes one self-contained HTML page (no network, no scripts from elsewhere): verdict, pictures
+/// before and after, objective terms, bending per face, continuity, how the search went, what
+/// moved. Throws as write_file does.
+void write_fair_report(const FairReport& report, const std::filesystem::path& path,
+                       Overwrite overwrite = Overwrite::never);
 
 }  // namespace bodyline::io

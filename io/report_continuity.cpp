@@ -73,10 +73,13 @@ std::string told(double value, double exact_below) {
 
 std::string change_cell(double before, double after, double exact_below, bool warning) {
   const bool both_exact = before < exact_below && after < exact_below;
-  const std::string text = both_exact ? "exact" : told(before, exact_below) + " → " + told(after, exact_below);
+  const std::string text =
+      both_exact ? "exact" : told(before, exact_below) + " → " + told(after, exact_below);
   return fmt::format("<td class=\"number{}\" title=\"{} before, {} after\">{}</td>",
-                     both_exact ? " exact" : warning ? " warning" : "", exact_number(before),
-                     exact_number(after), text);
+                     both_exact ? " exact"
+                     : warning  ? " warning"
+                                : "",
+                     exact_number(before), exact_number(after), text);
 }
 
 std::string row(const EdgePair& pair) {
@@ -84,18 +87,21 @@ std::string row(const EdgePair& pair) {
   const std::string kind = is_printed_seam(*pair.after) ? "seam as printed"
                            : pair.after->pillar         ? "corner at a seam"
                                                         : model::edge_kind_name(pair.after->kind);
-  return fmt::format(
-      "<tr><th scope=\"row\">{}</th><td>{}</td>{}{}{}</tr>\n", html_escaped(pair.after->name), kind,
-      change_cell(before.normal_deviation_deg, after.normal_deviation_deg, rounding, is_kinked(*pair.after)),
-      change_cell(before.gap_mm, after.gap_mm, rounding, is_open(*pair.after)),
-      change_cell(mm_per_m * before.curvature_jump_per_mm, mm_per_m * after.curvature_jump_per_mm,
-                  0.0, false));
+  return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>{}{}{}</tr>\n",
+                     html_escaped(pair.after->name), kind,
+                     change_cell(before.normal_deviation_deg, after.normal_deviation_deg, rounding,
+                                 is_kinked(*pair.after)),
+                     change_cell(before.gap_mm, after.gap_mm, rounding, is_open(*pair.after)),
+                     change_cell(mm_per_m * before.curvature_jump_per_mm,
+                                 mm_per_m * after.curvature_jump_per_mm, 0.0, false));
 }
 
 std::string table(const std::vector<EdgePair>& pairs, std::size_t first, std::size_t last) {
   std::string html =
-      "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Edge</th><th scope=\"col\">Kind</th>"
-      "<th class=\"number\" scope=\"col\">Kink, degrees</th><th class=\"number\" scope=\"col\">Gap, mm</th>"
+      "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Edge</th><th "
+      "scope=\"col\">Kind</th>"
+      "<th class=\"number\" scope=\"col\">Kink, degrees</th><th class=\"number\" "
+      "scope=\"col\">Gap, mm</th>"
       "<th class=\"number\" scope=\"col\">Curvature jump, 1/m</th></tr></thead>\n<tbody>\n";
   for (std::size_t k = first; k < last; ++k) html += row(pairs[k]);
   return html + "</tbody></table></div>\n";
@@ -118,10 +124,11 @@ std::string counts(const std::vector<EdgePair>& pairs) {
   const auto kinked = std::count_if(pairs.begin(), pairs.end(), [](const EdgePair& p) {
     return is_kinked(*p.after) && !is_printed_seam(*p.after);
   });
-  const auto open =
-      std::count_if(pairs.begin(), pairs.end(), [](const EdgePair& p) { return is_open(*p.after); });
+  const auto open = std::count_if(pairs.begin(), pairs.end(),
+                                  [](const EdgePair& p) { return is_open(*p.after); });
   if (kinked == 0 && open == 0) {
-    return "Every joint, seam and corner of the tuned body is closed and smooth within the tolerances of the check. ";
+    return "Every joint, seam and corner of the tuned body is closed and smooth within the "
+           "tolerances of the check. ";
   }
   return fmt::format("Of the tuned body {} edges have a kink and {} a gap. ", kinked, open);
 }
@@ -133,14 +140,16 @@ std::string report_continuity_section(const ReportFacts& facts) {
   if (pairs.empty()) return "";
   std::stable_sort(pairs.begin(), pairs.end(), is_worse);
   const std::size_t shown = std::min(shown_rows, pairs.size());
-  std::string html = "<section>\n<h2>Continuity</h2>\n<p class=\"lead\">" + counts(pairs) +
-                     "Measured on the control nets, before → after, worst first: gaps and kinks beyond the "
-                     "tolerances, then the jump of curvature across the edge. Exact is what is within rounding (10<sup>−9</sup>); "
-                     "pointing at a number shows all its digits.</p>\n";
+  std::string html =
+      "<section>\n<h2>Continuity</h2>\n<p class=\"lead\">" + counts(pairs) +
+      "Measured on the control nets, before → after, worst first: gaps and kinks beyond the "
+      "tolerances, then the jump of curvature across the edge. Exact is what is within rounding "
+      "(10<sup>−9</sup>); "
+      "pointing at a number shows all its digits.</p>\n";
   html += table(pairs, 0, shown);
   if (shown < pairs.size()) {
-    html += fmt::format("<details><summary>The other {} edges</summary>\n{}</details>\n", pairs.size() - shown,
-                        table(pairs, shown, pairs.size()));
+    html += fmt::format("<details><summary>The other {} edges</summary>\n{}</details>\n",
+                        pairs.size() - shown, table(pairs, shown, pairs.size()));
   }
   return html + findings_list(facts) + "</section>\n";
 }

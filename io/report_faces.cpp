@@ -22,7 +22,8 @@ std::vector<FacePair> face_pairs(const ReportFacts& facts) {
   for (const model::FaceCheck& before : facts.before.faces) {
     if (before.stage != model::Stage::body) continue;
     for (const model::FaceCheck& after : facts.after.faces) {
-      if (after.stage == before.stage && after.name == before.name) pairs.push_back({&before, &after});
+      if (after.stage == before.stage && after.name == before.name)
+        pairs.push_back({&before, &after});
     }
   }
   return pairs;
@@ -41,7 +42,8 @@ std::string turn_cell(const model::FaceCheck& face) {
 }
 
 std::string row(const FacePair& pair) {
-  return fmt::format("<tr><th scope=\"row\">{}{}</th>{}{}{}{}</tr>\n", html_escaped(pair.after->name),
+  return fmt::format("<tr><th scope=\"row\">{}{}</th>{}{}{}{}</tr>\n",
+                     html_escaped(pair.after->name),
                      pair.after->mirrored ? " <small>×&#8239;2</small>" : "",
                      html_number_cell(pair.before->integrals.bending),
                      html_number_cell(pair.after->integrals.bending), turn_cell(*pair.before),
@@ -52,7 +54,8 @@ std::string table(const std::vector<FacePair>& pairs) {
   std::string html = fmt::format(
       "<details><summary>All {} faces, with their folds</summary>\n<div class=\"scroll\"><table>\n"
       "<thead><tr><th scope=\"col\">Face</th><th class=\"number\" scope=\"col\">Bending before</th>"
-      "<th class=\"number\" scope=\"col\">After</th><th class=\"number\" scope=\"col\">Turn of normals before</th>"
+      "<th class=\"number\" scope=\"col\">After</th><th class=\"number\" scope=\"col\">Turn of "
+      "normals before</th>"
       "<th class=\"number\" scope=\"col\">After</th></tr></thead>\n<tbody>\n",
       pairs.size());
   for (const FacePair& pair : pairs) html += row(pair);
@@ -73,7 +76,8 @@ std::string report_faces_section(const ReportFacts& facts) {
                     pairs[k].after->integrals.bending});
   }
   std::string html = fmt::format(
-      "<section>\n<h2>Bending by face</h2>\n<p class=\"lead\">The {} faces that bend or bent most, on a "
+      "<section>\n<h2>Bending by face</h2>\n<p class=\"lead\">The {} faces that bend or bent most, "
+      "on a "
       "logarithmic scale. Faces at the side count once here; their mirror images are the same. "
       "<span class=\"key before\">before</span> <span class=\"key after\">after</span></p>\n",
       bars.size());

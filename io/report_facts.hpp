@@ -23,8 +23,8 @@ std::vector<std::string> folded_faces(const model::BodyCheck& check, model::Stag
 /// How joints of the finished body meet.
 struct JointFacts {
   int joints = 0;
-  int kinked = 0;             ///< beyond the tolerance of the check, or without normals
-  double worst_deg = 0.0;     ///< NaN when it cannot be computed somewhere
+  int kinked = 0;          ///< beyond the tolerance of the check, or without normals
+  double worst_deg = 0.0;  ///< NaN when it cannot be computed somewhere
 };
 JointFacts joint_facts(const model::BodyCheck& check);
 

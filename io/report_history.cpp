@@ -21,8 +21,10 @@ LineChart chart_of(const FairReport& report, const std::string& label, double Re
 std::string report_history_section(const FairReport& report) {
   if (report.history.empty()) return "";
   std::string html = fmt::format(
-      "<section>\n<h2>How the search went</h2>\n<p class=\"lead\">{} improvements in {} evaluations, {} seconds. "
-      "The objective has the barrier against folds in it; the gradient is projected on the bounds and scaled. "
+      "<section>\n<h2>How the search went</h2>\n<p class=\"lead\">{} improvements in {} "
+      "evaluations, {} seconds. "
+      "The objective has the barrier against folds in it; the gradient is projected on the bounds "
+      "and scaled. "
       "Both scales are logarithmic.</p>\n<div class=\"charts\">\n",
       report.history.size(), report.evaluations, html_number(report.seconds, 3));
   html += svg_line_chart(chart_of(report, "objective", &ReportStep::value, 260));

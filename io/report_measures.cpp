@@ -30,15 +30,18 @@ std::string report_measures_section(const ReportFacts& facts) {
   const model::BodyTotals &before = facts.before.totals, &after = facts.after.totals;
   const Eigen::Vector3d size_before = before.box.size(), size_after = after.box.size();
   std::string html =
-      "<section>\n<h2>Dimensions</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Of the whole "
-      "body</th><th class=\"number\" scope=\"col\">Before</th><th class=\"number\" scope=\"col\">After</th>"
+      "<section>\n<h2>Dimensions</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th "
+      "scope=\"col\">Of the whole "
+      "body</th><th class=\"number\" scope=\"col\">Before</th><th class=\"number\" "
+      "scope=\"col\">After</th>"
       "<th class=\"number\" scope=\"col\">Change</th></tr></thead>\n<tbody>\n";
   html += row("Length", "mm", 1, size_before.x(), size_after.x());
   html += row("Width", "mm", 1, size_before.y(), size_after.y());
   html += row("Height", "mm", 1, size_before.z(), size_after.z());
   html += row("Wheelbase", "mm", 1, before.wheelbase_mm, after.wheelbase_mm);
   html += row("Area", "m²", 3, before.area_mm2, after.area_mm2, square_mm_per_square_m);
-  html += row("Volume above the ground", "m³", 3, before.volume_mm3, after.volume_mm3, cubic_mm_per_cubic_m);
+  html += row("Volume above the ground", "m³", 3, before.volume_mm3, after.volume_mm3,
+              cubic_mm_per_cubic_m);
   return html + "</tbody></table></div>\n</section>\n";
 }
 

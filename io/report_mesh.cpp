@@ -23,7 +23,8 @@ bool same_faces(const std::vector<model::Surface>& a, const std::vector<model::S
 
 void append(std::vector<std::uint8_t>& bytes, double fraction) {
   const double clamped = std::isfinite(fraction) ? std::clamp(fraction, -1.0, 1.0) : 0.0;
-  const auto bits = static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(full * clamped)));
+  const auto bits =
+      static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(full * clamped)));
   bytes.push_back(static_cast<std::uint8_t>(bits & 0xff));
   bytes.push_back(static_cast<std::uint8_t>(bits >> 8));
 }
@@ -49,8 +50,9 @@ Frame3 common_frame(const std::vector<FaceGrid>& before, const std::vector<FaceG
   return frame;
 }
 
-std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces, const std::vector<FaceGrid>& grids,
-                                   const Frame3& frame, double curvature_range) {
+std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces,
+                                   const std::vector<FaceGrid>& grids, const Frame3& frame,
+                                   double curvature_range) {
   std::vector<std::uint8_t> bytes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (int k = 0; k < int(grids[f].points.size()); ++k) {
@@ -58,7 +60,8 @@ std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces, con
         return std::clamp(double(index) / cells_per_face, inset, 1.0 - inset);
       };
       const double u = parameter(k / (cells_per_face + 1)), v = parameter(k % (cells_per_face + 1));
-      const model::Curvature curvature = model::curvature(model::jet(faces[f], u, v, 2), faces[f].inward);
+      const model::Curvature curvature =
+          model::curvature(model::jet(faces[f], u, v, 2), faces[f].inward);
       append(bytes, (grids[f].points[k] - frame.centre) / frame.half_size);
       append(bytes, mm_per_m * curvature.mean / curvature_range);
       append(bytes, model::outward_normal(faces[f], u, v));
@@ -70,8 +73,8 @@ std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces, con
 
 }  // namespace
 
-ReportMesh report_mesh(const std::vector<model::Surface>& before, const std::vector<model::Surface>& after,
-                       double curvature_range) {
+ReportMesh report_mesh(const std::vector<model::Surface>& before,
+                       const std::vector<model::Surface>& after, double curvature_range) {
   ReportMesh mesh;
   if (!same_faces(before, after)) return mesh;
   const std::vector<FaceGrid> grids_before = tessellate(before, cells_per_face);

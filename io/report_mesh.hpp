@@ -20,7 +20,7 @@ struct ReportMesh {
 
 /// Samples the faces of the left half and the middle. `curvature_range` (1/m) is the mean curvature
 /// at which the fraction becomes 1. Empty (no cells) when the bodies differ in their faces.
-ReportMesh report_mesh(const std::vector<model::Surface>& before, const std::vector<model::Surface>& after,
-                       double curvature_range);
+ReportMesh report_mesh(const std::vector<model::Surface>& before,
+                       const std::vector<model::Surface>& after, double curvature_range);
 
 }  // namespace bodyline::io

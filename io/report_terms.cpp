@@ -21,15 +21,18 @@ std::string row(const ReportTerm& term) {
 
 std::string report_terms_section(const FairReport& report) {
   std::string html =
-      "<section>\n<h2>Objective</h2>\n<p class=\"lead\">What was minimized: the sum of the terms, each times "
-      "its weight. Values are those of the whole body, both sides.</p>\n<div class=\"scroll\"><table>\n"
+      "<section>\n<h2>Objective</h2>\n<p class=\"lead\">What was minimized: the sum of the terms, "
+      "each times "
+      "its weight. Values are those of the whole body, both sides.</p>\n<div "
+      "class=\"scroll\"><table>\n"
       "<thead><tr><th scope=\"col\">Term</th><th class=\"number\" scope=\"col\">Weight</th>"
       "<th class=\"number\" scope=\"col\">Before</th><th class=\"number\" scope=\"col\">After</th>"
       "<th class=\"number\" scope=\"col\">Before ÷ after</th></tr></thead>\n<tbody>\n";
   for (const ReportTerm& term : report.terms) html += row(term);
-  html += fmt::format("</tbody>\n<tfoot><tr><th scope=\"row\">Weighted sum</th><td></td>{}{}{}</tr></tfoot>\n",
-                      html_number_cell(report.value_before), html_number_cell(report.value_after),
-                      ratio_cell(report.value_before, report.value_after));
+  html += fmt::format(
+      "</tbody>\n<tfoot><tr><th scope=\"row\">Weighted sum</th><td></td>{}{}{}</tr></tfoot>\n",
+      html_number_cell(report.value_before), html_number_cell(report.value_after),
+      ratio_cell(report.value_before, report.value_after));
   return html + "</table></div>\n</section>\n";
 }
 

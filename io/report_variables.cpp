@@ -52,19 +52,24 @@ std::string track(const ReportVariable& variable) {
   const auto percent = [&](double value) { return 4.0 + 92.0 * share(variable, value); };
   const double before = percent(variable.before), after = percent(variable.after);
   return fmt::format(
-      "<svg class=\"track\" width=\"100%\" height=\"14\"><line class=\"range\" x1=\"4%\" x2=\"96%\" y1=\"7\" "
-      "y2=\"7\"/><line class=\"move\" x1=\"{0:.1f}%\" x2=\"{1:.1f}%\" y1=\"7\" y2=\"7\"/><circle class=\"before\" "
-      "cx=\"{0:.1f}%\" cy=\"7\" r=\"3.5\"/><circle class=\"after\" cx=\"{1:.1f}%\" cy=\"7\" r=\"4\"/></svg>",
+      "<svg class=\"track\" width=\"100%\" height=\"14\"><line class=\"range\" x1=\"4%\" "
+      "x2=\"96%\" y1=\"7\" "
+      "y2=\"7\"/><line class=\"move\" x1=\"{0:.1f}%\" x2=\"{1:.1f}%\" y1=\"7\" y2=\"7\"/><circle "
+      "class=\"before\" "
+      "cx=\"{0:.1f}%\" cy=\"7\" r=\"3.5\"/><circle class=\"after\" cx=\"{1:.1f}%\" cy=\"7\" "
+      "r=\"4\"/></svg>",
       before, after);
 }
 
 std::string row(const ReportVariable& variable) {
   const std::string bound = bound_reached(variable);
   return fmt::format(
-      "<tr{}><th scope=\"row\">{}</th>{}{}{}<td class=\"track\" title=\"{} to {}\">{}</td><td>{}</td></tr>\n",
-      bound.empty() ? "" : " class=\"at-bound\"", html_escaped(variable.name), html_number_cell(variable.before),
-      html_number_cell(variable.after), html_number_cell(variable.after - variable.before, 3),
-      plain_number(variable.lower), plain_number(variable.upper), track(variable), bound);
+      "<tr{}><th scope=\"row\">{}</th>{}{}{}<td class=\"track\" title=\"{} to "
+      "{}\">{}</td><td>{}</td></tr>\n",
+      bound.empty() ? "" : " class=\"at-bound\"", html_escaped(variable.name),
+      html_number_cell(variable.before), html_number_cell(variable.after),
+      html_number_cell(variable.after - variable.before, 3), plain_number(variable.lower),
+      plain_number(variable.upper), track(variable), bound);
 }
 
 std::string group(const Kind& kind, const std::vector<const ReportVariable*>& variables) {
@@ -75,8 +80,10 @@ std::string group(const Kind& kind, const std::vector<const ReportVariable*>& va
       "<div class=\"group\">\n<h3>{} <small>{}: {}{}</small></h3>\n<div class=\"scroll\"><table>\n"
       "<thead><tr><th scope=\"col\">Variable</th><th class=\"number\" scope=\"col\">Start</th>"
       "<th class=\"number\" scope=\"col\">End</th><th class=\"number\" scope=\"col\">Move</th>"
-      "<th class=\"track\" scope=\"col\">Within the bounds</th><th scope=\"col\">At</th></tr></thead>\n<tbody>\n",
-      kind.title, variables.size(), kind.text, bound > 0 ? fmt::format("; {} at a bound", bound) : "");
+      "<th class=\"track\" scope=\"col\">Within the bounds</th><th "
+      "scope=\"col\">At</th></tr></thead>\n<tbody>\n",
+      kind.title, variables.size(), kind.text,
+      bound > 0 ? fmt::format("; {} at a bound", bound) : "");
   for (const ReportVariable* variable : variables) html += row(*variable);
   return html + "</tbody></table></div>\n</div>\n";
 }
@@ -92,10 +99,13 @@ bool belongs(const ReportVariable& variable, const Kind& kind) {
 
 std::string report_variables_section(const FairReport& report) {
   std::string html =
-      "<section id=\"variables\">\n<h2>What moved</h2>\n<p class=\"lead\">All tuned variables, largest moves first, "
+      "<section id=\"variables\">\n<h2>What moved</h2>\n<p class=\"lead\">All tuned variables, "
+      "largest moves first, "
       "as a part of their range. A variable at a bound would go further if it might.</p>\n"
-      "<p class=\"filter\"><label>Show names with <input id=\"filter\" type=\"search\" placeholder=\"hood\" "
-      "autocomplete=\"off\"/></label> <label><input id=\"at-bound\" type=\"checkbox\"/> at a bound only</label> "
+      "<p class=\"filter\"><label>Show names with <input id=\"filter\" type=\"search\" "
+      "placeholder=\"hood\" "
+      "autocomplete=\"off\"/></label> <label><input id=\"at-bound\" type=\"checkbox\"/> at a bound "
+      "only</label> "
       "<span id=\"filter-count\"></span></p>\n";
   for (const Kind& kind : kinds) {
     std::vector<const ReportVariable*> members;

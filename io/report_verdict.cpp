@@ -21,7 +21,8 @@ std::string spoken_name(const std::string& name) {
   return name;
 }
 
-// The term that the verdict speaks of: the first that is more than a barrier, else the weighted sum.
+// The term that the verdict speaks of: the first that is more than a barrier, else the weighted
+// sum.
 ReportTerm main_term(const FairReport& report) {
   for (const ReportTerm& term : report.terms) {
     if (term.weight != 0.0 && !is_barrier(term.name)) return term;
@@ -43,7 +44,8 @@ std::string term_words(const ReportTerm& term) {
                      html_number(term.after), change.empty() ? "" : " (" + change + ")");
 }
 
-// Faces of the finished bodies, and patches of the tuned one before their cut, where a fold may be cut away.
+// Faces of the finished bodies, and patches of the tuned one before their cut, where a fold may be
+// cut away.
 struct Folds {
   std::vector<std::string> before, after, whole_patches;
 };
@@ -55,7 +57,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 // What the check finds and what the search says; they agree, unless the check looked more closely.
 Folds folds_of(const FairReport& report, const ReportFacts& facts) {
   constexpr std::string_view whole = " (whole patch)";
-  Folds folds{folded_faces(facts.before, model::Stage::body), folded_faces(facts.after, model::Stage::body),
+  Folds folds{folded_faces(facts.before, model::Stage::body),
+              folded_faces(facts.after, model::Stage::body),
               folded_faces(facts.after, model::Stage::base)};
   for (const std::string& name : report.folded_faces) {
     const bool before_cut = name.ends_with(whole);
@@ -80,8 +83,10 @@ std::string fold_words(const Folds& folds) {
 std::string joint_words(const JointFacts& facts) {
   if (facts.joints == 0) return "";
   if (facts.kinked == 0) {
-    return fmt::format("; {} joints are G1{}", facts.joints == 1 ? "all" : fmt::format("all {}", facts.joints),
-                       facts.worst_deg > 0.0 ? fmt::format(", to {} degrees", html_number(facts.worst_deg, 1)) : "");
+    return fmt::format(
+        "; {} joints are G1{}", facts.joints == 1 ? "all" : fmt::format("all {}", facts.joints),
+        facts.worst_deg > 0.0 ? fmt::format(", to {} degrees", html_number(facts.worst_deg, 1))
+                              : "");
   }
   return fmt::format("; {} of {} joints have a kink", facts.kinked, facts.joints);
 }
@@ -104,7 +109,8 @@ std::string tiles(const FairReport& report, const ReportFacts& facts, const Fold
   html += tile("Times less", html_number(ratio, 3), "before ÷ after");
   html += tile("Faces that fold", std::to_string(folds.after.size()),
                fmt::format("were {}", folds.before.size()), !folds.after.empty());
-  html += tile("Kink at joints", html_number(joints.worst_deg, 1), "degrees at most", joints.kinked > 0);
+  html += tile("Kink at joints", html_number(joints.worst_deg, 1), "degrees at most",
+               joints.kinked > 0);
   html += tile("Variables moved", std::to_string(moved),
                fmt::format("of {} tuned", report.variables.size()));
   html += tile("Search", fmt::format("{} s", html_number(report.seconds, 2)),
@@ -112,12 +118,14 @@ std::string tiles(const FairReport& report, const ReportFacts& facts, const Fold
   return html + "</dl>\n";
 }
 
-std::vector<std::string> without(std::vector<std::string> names, const std::vector<std::string>& left_out) {
+std::vector<std::string> without(std::vector<std::string> names,
+                                 const std::vector<std::string>& left_out) {
   std::erase_if(names, [&](const std::string& name) { return contains(left_out, name); });
   return names;
 }
 
-std::string names_sentence(const std::string& begin, const std::vector<std::string>& names, const char* kind) {
+std::string names_sentence(const std::string& begin, const std::vector<std::string>& names,
+                           const char* kind) {
   if (names.empty()) return "";
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + html_escaped(name);
@@ -131,8 +139,7 @@ std::string report_verdict_section(const FairReport& report, const ReportFacts& 
   std::string html = "<header>\n<p class=\"over\">Bodyline · fairness tuning</p>\n";
   html += fmt::format("<h1>{}</h1>\n", html_escaped(report.title));
   html += fmt::format("<p class=\"verdict\">{}; {}{}.</p>\n", term_words(main_term(report)),
-                      fold_words(folds),
-                      joint_words(joint_facts(facts.after)));
+                      fold_words(folds), joint_words(joint_facts(facts.after)));
   html += names_sentence("Folded", folds.after, "warning");
   html += names_sentence("Folded before their cut, though not in the finished body",
                          without(folds.whole_patches, folds.after), "status");

@@ -28,16 +28,19 @@ std::vector<std::uint8_t> curvature_colors() {
 }
 
 std::string data(const char* id, const std::vector<std::uint8_t>& bytes) {
-  return fmt::format("<script type=\"application/octet-stream\" id=\"{}\">{}</script>\n", id, base64(bytes));
+  return fmt::format("<script type=\"application/octet-stream\" id=\"{}\">{}</script>\n", id,
+                     base64(bytes));
 }
 
 }  // namespace
 
 std::string report_viewer_section(const FairReport& report) {
-  const auto before = model::build(report.before, model::Stage::body, model::Halves::left_and_central);
-  const auto after = model::build(report.after, model::Stage::body, model::Halves::left_and_central);
-  const double range =
-      std::max(curvature_range(before, Map::mean_curvature), curvature_range(after, Map::mean_curvature));
+  const auto before =
+      model::build(report.before, model::Stage::body, model::Halves::left_and_central);
+  const auto after =
+      model::build(report.after, model::Stage::body, model::Halves::left_and_central);
+  const double range = std::max(curvature_range(before, Map::mean_curvature),
+                                curvature_range(after, Map::mean_curvature));
   const ReportMesh mesh = report_mesh(before, after, range);
   if (mesh.cells == 0) return "";
   std::string mirrored;
@@ -45,12 +48,15 @@ std::string report_viewer_section(const FairReport& report) {
   std::string html = fmt::format(
       "<section id=\"viewer\" hidden=\"hidden\" data-cells=\"{0}\" data-mirrored=\"{1}\" "
       "data-stripe=\"{2}\">\n<h2>Turn it</h2>\n"
-      "<p class=\"lead\">Drag to turn, hold Ctrl and scroll to come closer, double-click to return. The "
+      "<p class=\"lead\">Drag to turn, hold Ctrl and scroll to come closer, double-click to "
+      "return. The "
       "slider blends the body before into the one after.</p>\n<div class=\"canvas\"><canvas "
       "tabindex=\"0\" aria-label=\"The body in three dimensions\"></canvas></div>\n<div "
       "class=\"controls\"><label>before <input class=\"blend\" type=\"range\" min=\"0\" max=\"1\" "
-      "step=\"0.01\" value=\"1\"/> after</label><div class=\"tabs\" role=\"group\" aria-label=\"Colours\">"
-      "<button>Paint</button><button>Zebra</button><button>Mean curvature</button></div><span class=\"scale\">colours from −{3} to {3} 1/m</span></div>\n",
+      "step=\"0.01\" value=\"1\"/> after</label><div class=\"tabs\" role=\"group\" "
+      "aria-label=\"Colours\">"
+      "<button>Paint</button><button>Zebra</button><button>Mean curvature</button></div><span "
+      "class=\"scale\">colours from −{3} to {3} 1/m</span></div>\n",
       mesh.cells, mirrored, plain_number(zebra_stripe), plain_number(range));
   html += data("mesh-before", mesh.before) + data("mesh-after", mesh.after);
   return html + data("curvature-colors", curvature_colors()) + "</section>\n";

@@ -30,7 +30,8 @@ std::vector<double> linear_ticks(double low, double high) {
 }
 
 // The factors times every n-th power of ten, as far as they lie between low and high.
-std::vector<double> decade_ticks(double low, double high, const std::vector<double>& factors, int every) {
+std::vector<double> decade_ticks(double low, double high, const std::vector<double>& factors,
+                                 int every) {
   std::vector<double> ticks;
   const int first = int(std::floor(std::log10(low))), last = int(std::ceil(std::log10(high)));
   for (int exponent = first - first % every - every; exponent <= last; exponent += every) {
@@ -44,7 +45,8 @@ std::vector<double> decade_ticks(double low, double high, const std::vector<doub
 
 std::vector<double> logarithmic_ticks(double low, double high) {
   const double decades = std::log10(high / low);
-  if (decades > most_ticks - 1) return decade_ticks(low, high, {1.0}, int(decades / (most_ticks - 1)) + 1);
+  if (decades > most_ticks - 1)
+    return decade_ticks(low, high, {1.0}, int(decades / (most_ticks - 1)) + 1);
   for (const std::vector<double>& factors : {std::vector{1.0}, {1.0, 3.0}, {1.0, 2.0, 5.0}}) {
     std::vector<double> ticks = decade_ticks(low, high, factors, 1);
     if (int(ticks.size()) > fewest_ticks) return ticks;

@@ -24,7 +24,8 @@ std::string grid(const ChartAxis& axis, int height) {
     const double position = axis.position(tick);
     const std::string x = percent(position);
     const char* anchor = position < 0.02 ? "start" : position > 0.98 ? "end" : "middle";
-    svg += fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{0}\" y1=\"0\" y2=\"{1}\"/>", x, height);
+    svg +=
+        fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{0}\" y1=\"0\" y2=\"{1}\"/>", x, height);
     svg += fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n", x,
                        height + 15, anchor, ChartAxis::label(tick));
   }

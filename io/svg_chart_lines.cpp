@@ -38,9 +38,11 @@ std::string grid(const Plot& plot) {
   std::string svg;
   for (const double tick : plot.y.ticks()) {
     const double y = plot.top(tick);
-    svg += fmt::format("<line class=\"grid\" x1=\"0\" x2=\"100%\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>", y);
-    svg += fmt::format("<text class=\"tick\" x=\"100%\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n",
-                       y - 3.0, ChartAxis::label(tick));
+    svg +=
+        fmt::format("<line class=\"grid\" x1=\"0\" x2=\"100%\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>", y);
+    svg +=
+        fmt::format("<text class=\"tick\" x=\"100%\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n",
+                    y - 3.0, ChartAxis::label(tick));
   }
   for (const double tick : plot.x.ticks()) {
     const double position = plot.x.position(tick);
@@ -57,8 +59,9 @@ std::string line(const Plot& plot, const std::vector<ChartPoint>& points) {
   bool drawing = false;
   for (const ChartPoint& point : points) {
     if (plot.shows(point)) {
-      path += fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", plot_units * plot.x.position(point.x),
-                          plot_units * (1.0 - plot.y.position(point.y)));
+      path +=
+          fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", plot_units * plot.x.position(point.x),
+                      plot_units * (1.0 - plot.y.position(point.y)));
     }
     drawing = plot.shows(point);
   }
@@ -74,9 +77,10 @@ std::string marks(const Plot& plot, const LineChart& chart) {
   for (const ChartPoint& point : chart.points) {
     if (!plot.shows(point)) continue;
     svg += fmt::format(
-        "<circle class=\"point\" cx=\"{:.2f}%\" cy=\"{:.1f}\" r=\"5\"><title>{} {}: {} {}</title></circle>\n",
-        plot.left(point.x), plot.top(point.y), html_escaped(chart.x_label), plain_number(point.x, 6),
-        html_escaped(chart.y_label), plain_number(point.y, 6));
+        "<circle class=\"point\" cx=\"{:.2f}%\" cy=\"{:.1f}\" r=\"5\"><title>{} {}: {} "
+        "{}</title></circle>\n",
+        plot.left(point.x), plot.top(point.y), html_escaped(chart.x_label),
+        plain_number(point.x, 6), html_escaped(chart.y_label), plain_number(point.y, 6));
   }
   return svg;
 }
@@ -87,9 +91,11 @@ std::string svg_line_chart(const LineChart& chart) {
   if (chart.points.empty()) return "";
   const Plot plot = make_plot(chart);
   std::string svg = fmt::format(
-      "<svg class=\"chart\" role=\"img\" aria-label=\"{} against {}\" width=\"100%\" height=\"{}\">\n",
+      "<svg class=\"chart\" role=\"img\" aria-label=\"{} against {}\" width=\"100%\" "
+      "height=\"{}\">\n",
       html_escaped(chart.y_label), html_escaped(chart.x_label), chart.height);
-  svg += fmt::format("<text class=\"axis\" x=\"0\" y=\"12\">{}</text>", html_escaped(chart.y_label));
+  svg +=
+      fmt::format("<text class=\"axis\" x=\"0\" y=\"12\">{}</text>", html_escaped(chart.y_label));
   svg += fmt::format("<text class=\"axis\" x=\"50%\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
                      chart.height - 4, html_escaped(chart.x_label));
   svg += grid(plot) + line(plot, chart.points) + marks(plot, chart);

@@ -10,8 +10,8 @@ struct ChartPoint {
 };
 
 /// A line chart with a logarithmic upright axis as an inline SVG, which takes the width it is given
-/// while its text keeps its size. Points say their values when pointed at. Points that have no place on
-/// the axes (not finite, or not positive upright) interrupt the line.
+/// while its text keeps its size. Points say their values when pointed at. Points that have no
+/// place on the axes (not finite, or not positive upright) interrupt the line.
 struct LineChart {
   std::string x_label, y_label;
   std::vector<ChartPoint> points;

@@ -20,7 +20,8 @@ BasisJet combine(const Eigen::MatrixXd& conversion, const BernsteinJet& bernstei
   return jet;
 }
 
-// d conversion / d shape[k], constant: shape k stands with +-t^(k+1) (1-t)^(n-1-k) in G_(k+1) and its neighbours.
+// d conversion / d shape[k], constant: shape k stands with +-t^(k+1) (1-t)^(n-1-k) in G_(k+1) and
+// its neighbours.
 Eigen::MatrixXd conversion_derivative(int n, int k) {
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(n + 1, n + 1);
   const int j = k + 1;
@@ -38,15 +39,16 @@ Eigen::MatrixXd conversion_derivative(int n, int k) {
 
 void check_count(std::span<const double> shape, int count) {
   if (int(shape.size()) != count) {
-    throw std::invalid_argument("a basis with " + std::to_string(count) + " shape parameters was given " +
-                                std::to_string(shape.size()));
+    throw std::invalid_argument("a basis with " + std::to_string(count) +
+                                " shape parameters was given " + std::to_string(shape.size()));
   }
 }
 
 }  // namespace
 
 BernsteinBasis::BernsteinBasis(int degree) : degree_(degree) {
-  if (degree < 1 || degree > max_degree) throw std::invalid_argument("the degree of a Bernstein basis is 1 to 12");
+  if (degree < 1 || degree > max_degree)
+    throw std::invalid_argument("the degree of a Bernstein basis is 1 to 12");
 }
 
 BasisJet BernsteinBasis::evaluate(double t, std::span<const double> shape) const {
@@ -64,7 +66,8 @@ Eigen::MatrixXd BernsteinBasis::conversion(std::span<const double> shape) const 
 }
 
 GeBezierBasis::GeBezierBasis(int degree) : degree_(degree) {
-  if (degree < 2 || degree > 9) throw std::invalid_argument("the degree of a GE-Bezier basis is 2 to 9");
+  if (degree < 2 || degree > 9)
+    throw std::invalid_argument("the degree of a GE-Bezier basis is 2 to 9");
 }
 
 ShapeRange GeBezierBasis::shape_range(int k) const {
@@ -87,7 +90,8 @@ BasisJet GeBezierBasis::shape_derivative(double t, std::span<const double> shape
 Eigen::MatrixXd GeBezierBasis::conversion(std::span<const double> shape) const {
   check_count(shape, shape_count());
   Eigen::MatrixXd result = Eigen::MatrixXd::Identity(degree_ + 1, degree_ + 1);
-  for (int k = 0; k < shape_count(); ++k) result += (shape[k] - neutral_shape(k)) * conversion_derivative(degree_, k);
+  for (int k = 0; k < shape_count(); ++k)
+    result += (shape[k] - neutral_shape(k)) * conversion_derivative(degree_, k);
   return result;
 }
 

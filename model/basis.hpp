@@ -9,11 +9,13 @@
 
 #include "model/bernstein.hpp"
 
-/// Bases of curves and patches as one concept. A family has `degree + 1` functions that sum to one, interpolates its ends,
-/// and has shape parameters. Further families (docs/mathematics.md, section 2) need only model this concept.
+/// Bases of curves and patches as one concept. A family has `degree + 1` functions that sum to one,
+/// interpolates its ends, and has shape parameters. Further families (docs/mathematics.md, section
+/// 2) need only model this concept.
 namespace bodyline::model {
 
-/// Values of all functions of a basis at one t: d[k][i] is the k-th derivative of function i, k = 0..3.
+/// Values of all functions of a basis at one t: d[k][i] is the k-th derivative of function i, k =
+/// 0..3.
 using BasisJet = BernsteinJet;
 
 /// The values of a shape parameter for which every function of the basis is non-negative.
@@ -29,8 +31,8 @@ concept Basis = requires(const B& basis, double t, std::span<const double> shape
   { basis.neutral_shape(k) } -> std::same_as<double>;  ///< where the basis is the Bernstein basis
   { basis.evaluate(t, shape) } -> std::same_as<BasisJet>;
   { basis.shape_derivative(t, shape, k) } -> std::same_as<BasisJet>;  ///< d evaluate / d shape[k]
-  { basis.bezier_degree() } -> std::same_as<int>;                     ///< of its exact or approximating Bezier form
-  { basis.conversion(shape) } -> std::same_as<Eigen::MatrixXd>;       ///< G_i = sum_j at(i, j) B_j
+  { basis.bezier_degree() } -> std::same_as<int>;  ///< of its exact or approximating Bezier form
+  { basis.conversion(shape) } -> std::same_as<Eigen::MatrixXd>;  ///< G_i = sum_j at(i, j) B_j
 };
 
 /// Bernstein polynomials: no shape parameters.

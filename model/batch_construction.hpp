@@ -9,36 +9,42 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// All nets up to the stage. `storage` holds tables.memory numbers of type Real, aligned as Real; arrays may be read one
-/// number past their ends.
+/// All nets up to the stage. `storage` holds tables.memory numbers of type Real, aligned as Real;
+/// arrays may be read one number past their ends.
 template <class Real, class Number>
-void build_batches(const BatchTables& tables, LastStage stage, const Number* parameters, Number* nets,
-                   unsigned char* storage) {
+void build_batches(const BatchTables& tables, LastStage stage, const Number* parameters,
+                   Number* nets, unsigned char* storage) {
   for (int k = 0; k < tables.patch_count; ++k) {
     build_patches<Real>(tables.patches[k], stage == LastStage::base, parameters, nets, storage);
   }
   if (stage == LastStage::base) return;
   for (int k = 0; k < tables.seam_count; ++k) build_seams<Real>(tables.seams[k], nets, storage);
   if (stage == LastStage::kept) return;
-  for (int k = 0; k < tables.side_count; ++k) build_sides<Real>(tables.sides[k], parameters, nets, storage);
-  for (int k = 0; k < tables.corner_count; ++k) build_corners<Real>(tables.corners[k], nets, storage);
+  for (int k = 0; k < tables.side_count; ++k)
+    build_sides<Real>(tables.sides[k], parameters, nets, storage);
+  for (int k = 0; k < tables.corner_count; ++k)
+    build_corners<Real>(tables.corners[k], nets, storage);
 }
 
-/// After build_batches of the same stage and parameters: adds to the adjoints of the parameters; consumes nets_bar.
+/// After build_batches of the same stage and parameters: adds to the adjoints of the parameters;
+/// consumes nets_bar.
 template <class Real, class Number>
-void batches_pullback(const BatchTables& tables, LastStage stage, const Number* parameters, unsigned char* storage,
-                      Number* nets_bar, Number* parameters_bar) {
+void batches_pullback(const BatchTables& tables, LastStage stage, const Number* parameters,
+                      unsigned char* storage, Number* nets_bar, Number* parameters_bar) {
   if (stage == LastStage::body) {
-    for (int k = tables.corner_count; k-- > 0;) corners_pullback<Real>(tables.corners[k], storage, nets_bar);
+    for (int k = tables.corner_count; k-- > 0;)
+      corners_pullback<Real>(tables.corners[k], storage, nets_bar);
     for (int k = tables.side_count; k-- > 0;) {
       sides_pullback<Real>(tables.sides[k], parameters, storage, nets_bar, parameters_bar);
     }
   }
   if (stage != LastStage::base) {
-    for (int k = tables.seam_count; k-- > 0;) seams_pullback<Real>(tables.seams[k], nets_bar, storage);
+    for (int k = tables.seam_count; k-- > 0;)
+      seams_pullback<Real>(tables.seams[k], nets_bar, storage);
   }
   for (int k = tables.patch_count; k-- > 0;) {
-    patches_pullback<Real>(tables.patches[k], stage == LastStage::base, parameters, nets_bar, storage, parameters_bar);
+    patches_pullback<Real>(tables.patches[k], stage == LastStage::base, parameters, nets_bar,
+                           storage, parameters_bar);
   }
 }
 

@@ -27,7 +27,8 @@ void read_corner_edges(const CornerBatch& batch, const Number* nets, TransitionE
 }
 
 template <class Real, class Number>
-[[gnu::flatten]] void build_corners(const CornerBatch& batch, Number* nets, unsigned char* storage) {
+[[gnu::flatten]] void build_corners(const CornerBatch& batch, Number* nets,
+                                    unsigned char* storage) {
   using Io = Pack<Real>;
   auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
   read_corner_edges(batch, nets, memory.edges);
@@ -38,14 +39,16 @@ template <class Real, class Number>
 }
 
 template <class Real, class Number>
-[[gnu::flatten]] void corners_pullback(const CornerBatch& batch, unsigned char* storage, Number* nets_bar) {
+[[gnu::flatten]] void corners_pullback(const CornerBatch& batch, unsigned char* storage,
+                                       Number* nets_bar) {
   using Io = Pack<Real>;
   const auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
   Vec3<Real> net_bar[corner_points];
   Io::read_net(nets_bar, batch.net, corner_points, net_bar);
   const Vec3<Real> blend_bar = Io::numbers(batch.seam) * Io::read_point(nets_bar, batch.blend, 0);
   TransitionEnd<Real> edges_bar[4] = {};
-  corner_net_pullback({batch.three_sided, true}, memory.edges, memory.trace, net_bar, blend_bar, edges_bar);
+  corner_net_pullback({batch.three_sided, true}, memory.edges, memory.trace, net_bar, blend_bar,
+                      edges_bar);
   if (batch.three_sided) {
     for (int t = 0; t < 4; ++t) edges_bar[left].curve[3] += edges_bar[top].curve[t];
   }

@@ -12,11 +12,13 @@ inline namespace BODYLINE_ISA_NAMESPACE {
 /// The arrays of a batch of patches of degrees (m, n).
 template <class Real>
 struct PatchMemory {
-  Vec3<Real> *base, *kept;  ///< nets; `kept` before any seam
-  Real *in_u, *in_v;        ///< matrices of the cuts
+  Vec3<Real>*base, *kept;  ///< nets; `kept` before any seam
+  Real *in_u, *in_v;       ///< matrices of the cuts
 };
 
-constexpr int patch_memory_numbers(int m, int n) { return 6 * (m + 1) * (n + 1) + (m + 1) * (m + 1) + (n + 1) * (n + 1); }
+constexpr int patch_memory_numbers(int m, int n) {
+  return 6 * (m + 1) * (n + 1) + (m + 1) * (m + 1) + (n + 1) * (n + 1);
+}
 
 template <class Real>
 struct SeamMemory {
@@ -27,7 +29,8 @@ struct SeamMemory {
 template <class Real>
 struct SideMemory {
   TransitionSide<Real> side;
-  Vec3<Real> target[2], free_edge[2];  ///< uncut sides only; free_edge: next point less the one at the joint
+  Vec3<Real> target[2],
+      free_edge[2];  ///< uncut sides only; free_edge: next point less the one at the joint
   Real neighbour_width;
   UncutTrace<Real> uncut;
 };

@@ -6,7 +6,8 @@
 #include "model/sq_coons.hpp"
 #include "model/unrolled.hpp"
 
-/// Base and kept nets of a batch of patches, and their pullback (docs/mathematics.md, sections 3 and 5).
+/// Base and kept nets of a batch of patches, and their pullback (docs/mathematics.md, sections 3
+/// and 5).
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -23,13 +24,15 @@ void with_degrees(int m, int n, const Act& act) {
 
 template <class Real, class Number>
 void read_shapes(const PatchBatch& batch, const Number* parameters, Real* shape_u, Real* shape_v) {
-  for (int k = 0; k + 1 < batch.degree_u; ++k) shape_u[k] = Pack<Real>::read(parameters, batch.shape_u, k);
-  for (int k = 0; k + 1 < batch.degree_v; ++k) shape_v[k] = Pack<Real>::read(parameters, batch.shape_v, k);
+  for (int k = 0; k + 1 < batch.degree_u; ++k)
+    shape_u[k] = Pack<Real>::read(parameters, batch.shape_u, k);
+  for (int k = 0; k + 1 < batch.degree_v; ++k)
+    shape_v[k] = Pack<Real>::read(parameters, batch.shape_v, k);
 }
 
 template <class Real, class DegreeU, class DegreeV, class Number>
-void build_base_nets(const PatchBatch& batch, DegreeU m, DegreeV n, const Number* parameters, Number* nets,
-                     const PatchMemory<Real>& memory) {
+void build_base_nets(const PatchBatch& batch, DegreeU m, DegreeV n, const Number* parameters,
+                     Number* nets, const PatchMemory<Real>& memory) {
   using Io = Pack<Real>;
   for (int b = 0; b < batch.boundary_count; ++b) {
     Vec3<Real> point = Io::read_point(parameters, batch.boundary + b * Io::lanes, 0);
@@ -43,8 +46,8 @@ void build_base_nets(const PatchBatch& batch, DegreeU m, DegreeV n, const Number
 }
 
 template <class Real, class DegreeU, class DegreeV, class Number>
-void build_kept_nets(const PatchBatch& batch, DegreeU m, DegreeV n, const Number* parameters, Number* nets,
-                     const PatchMemory<Real>& memory) {
+void build_kept_nets(const PatchBatch& batch, DegreeU m, DegreeV n, const Number* parameters,
+                     Number* nets, const PatchMemory<Real>& memory) {
   using Io = Pack<Real>;
   const auto limit = [&](int k) { return Io::read(parameters, batch.cut, k); };
   cut_matrix(m, limit(0), limit(1), memory.in_u);
@@ -55,8 +58,9 @@ void build_kept_nets(const PatchBatch& batch, DegreeU m, DegreeV n, const Number
 
 /// Base nets, and kept nets unless `base_only`.
 template <class Real, class Number>
-[[gnu::flatten]] void build_patches(const PatchBatch& batch, bool base_only, const Number* parameters, Number* nets,
-                   unsigned char* storage) {
+[[gnu::flatten]] void build_patches(const PatchBatch& batch, bool base_only,
+                                    const Number* parameters, Number* nets,
+                                    unsigned char* storage) {
   with_degrees(batch.degree_u, batch.degree_v, [&](auto m, auto n) {
     const PatchMemory<Real> memory = patch_memory_at<Real>(storage, batch.memory, m, n);
     build_base_nets(batch, m, n, parameters, nets, memory);
@@ -67,8 +71,8 @@ template <class Real, class Number>
 /// Adds to the adjoints of the base net and of the cuts.
 template <class Real, class DegreeU, class DegreeV, class Number>
 void kept_nets_pullback(const PatchBatch& batch, DegreeU m, DegreeV n, const Number* parameters,
-                        const Number* nets_bar, const PatchMemory<Real>& memory, Vec3<Real>* base_bar,
-                        Number* parameters_bar) {
+                        const Number* nets_bar, const PatchMemory<Real>& memory,
+                        Vec3<Real>* base_bar, Number* parameters_bar) {
   using Io = Pack<Real>;
   Vec3<Real> kept_bar[max_patch_points];
   Io::read_net(nets_bar, batch.kept, (m + 1) * (n + 1), kept_bar);
@@ -84,14 +88,17 @@ void kept_nets_pullback(const PatchBatch& batch, DegreeU m, DegreeV n, const Num
 
 template <class Real, class DegreeU, class DegreeV, class Number>
 void base_nets_pullback(const PatchBatch& batch, DegreeU m, DegreeV n, const Number* parameters,
-                        const PatchMemory<Real>& memory, Vec3<Real>* base_bar, Number* parameters_bar) {
+                        const PatchMemory<Real>& memory, Vec3<Real>* base_bar,
+                        Number* parameters_bar) {
   using Io = Pack<Real>;
   Real shape_u[max_patch_degree], shape_v[max_patch_degree];
   Real shape_u_bar[max_patch_degree] = {}, shape_v_bar[max_patch_degree] = {};
   read_shapes(batch, parameters, shape_u, shape_v);
   sq_coons_pullback(m, n, memory.base, shape_u, shape_v, base_bar, shape_u_bar, shape_v_bar);
-  for (int k = 0; k + 1 < m; ++k) Io::add(parameters_bar, batch.shape_u, k, batch.count, shape_u_bar[k]);
-  for (int k = 0; k + 1 < n; ++k) Io::add(parameters_bar, batch.shape_v, k, batch.count, shape_v_bar[k]);
+  for (int k = 0; k + 1 < m; ++k)
+    Io::add(parameters_bar, batch.shape_u, k, batch.count, shape_u_bar[k]);
+  for (int k = 0; k + 1 < n; ++k)
+    Io::add(parameters_bar, batch.shape_v, k, batch.count, shape_v_bar[k]);
   for (int b = 0; b < batch.boundary_count; ++b) {
     Vec3<Real> bar = base_bar[batch.boundary_net[b]];
     bar.y = Io::numbers(batch.boundary_sign + b * Io::lanes) * bar.y;
@@ -100,13 +107,15 @@ void base_nets_pullback(const PatchBatch& batch, DegreeU m, DegreeV n, const Num
 }
 
 template <class Real, class Number>
-[[gnu::flatten]] void patches_pullback(const PatchBatch& batch, bool base_only, const Number* parameters, const Number* nets_bar,
-                      unsigned char* storage, Number* parameters_bar) {
+[[gnu::flatten]] void patches_pullback(const PatchBatch& batch, bool base_only,
+                                       const Number* parameters, const Number* nets_bar,
+                                       unsigned char* storage, Number* parameters_bar) {
   with_degrees(batch.degree_u, batch.degree_v, [&](auto m, auto n) {
     const PatchMemory<Real> memory = patch_memory_at<Real>(storage, batch.memory, m, n);
     Vec3<Real> base_bar[max_patch_points];
     Pack<Real>::read_net(nets_bar, batch.base, (m + 1) * (n + 1), base_bar);
-    if (!base_only) kept_nets_pullback(batch, m, n, parameters, nets_bar, memory, base_bar, parameters_bar);
+    if (!base_only)
+      kept_nets_pullback(batch, m, n, parameters, nets_bar, memory, base_bar, parameters_bar);
     base_nets_pullback(batch, m, n, parameters, memory, base_bar, parameters_bar);
   });
 }

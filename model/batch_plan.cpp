@@ -19,8 +19,8 @@ constexpr int memory_numbers() {
 
 // The numbers of a side's row in the array of all nets, point by point.
 int row_point(const BodyPlan& plan, const SideStep& side, int k, int depth) {
-  return numbers_per_point *
-         (plan.patches[side.patch].kept_net + side.walk.start + k * side.walk.step + depth * side.walk.inward);
+  return numbers_per_point * (plan.patches[side.patch].kept_net + side.walk.start +
+                              k * side.walk.step + depth * side.walk.inward);
 }
 
 // One side of a joint.
@@ -35,13 +35,17 @@ struct JointSide {
 /// Fills a BatchPlan; each kind of batch has its function.
 class BatchPlanner {
  public:
-  BatchPlanner(BatchPlan& result, const BodyPlan& plan, int lanes) : result_(result), plan_(plan), lanes_(lanes) {}
+  BatchPlanner(BatchPlan& result, const BodyPlan& plan, int lanes)
+      : result_(result), plan_(plan), lanes_(lanes) {}
 
   void plan_patches() {
     std::map<std::pair<int, int>, std::vector<const PatchStep*>> groups;
-    for (const PatchStep& patch : plan_.patches) groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
+    for (const PatchStep& patch : plan_.patches)
+      groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
     for (const auto& [degrees, group] : groups) {
-      for_each_batch(group, [&](const std::vector<const PatchStep*>& steps, int count) { add_patches(steps, count); });
+      for_each_batch(group, [&](const std::vector<const PatchStep*>& steps, int count) {
+        add_patches(steps, count);
+      });
     }
   }
 
@@ -50,17 +54,20 @@ class BatchPlanner {
     std::vector<const SeamStep*> group;
     std::set<int> points;
     const auto flush = [&] {
-      for_each_batch(group, [&](const std::vector<const SeamStep*>& steps, int count) { add_seams(steps, count); });
+      for_each_batch(group, [&](const std::vector<const SeamStep*>& steps, int count) {
+        add_seams(steps, count);
+      });
       group.clear();
       points.clear();
     };
     for (const SeamStep& seam : plan_.seams) {
       std::set<int> own;
       for (int k = 0; k <= seam.degree; ++k) {
-        own.insert({row_point(plan_, seam.a, k, 0), row_point(plan_, seam.b, k, 0), row_point(plan_, seam.a, k, 1),
-                    row_point(plan_, seam.b, k, 1)});
+        own.insert({row_point(plan_, seam.a, k, 0), row_point(plan_, seam.b, k, 0),
+                    row_point(plan_, seam.a, k, 1), row_point(plan_, seam.b, k, 1)});
       }
-      const bool shares = std::any_of(own.begin(), own.end(), [&](int point) { return points.contains(point); });
+      const bool shares =
+          std::any_of(own.begin(), own.end(), [&](int point) { return points.contains(point); });
       if (shares || (!group.empty() && group.front()->degree != seam.degree)) flush();
       group.push_back(&seam);
       points.merge(own);
@@ -80,7 +87,9 @@ class BatchPlanner {
     }
     for (const auto& [signature, group] : groups) {
       const SideKind kind = std::get<SideKind>(signature);
-      for_each_batch(group, [&](const std::vector<JointSide>& sides, int count) { add_sides(kind, sides, count); });
+      for_each_batch(group, [&](const std::vector<JointSide>& sides, int count) {
+        add_sides(kind, sides, count);
+      });
     }
   }
 
@@ -90,7 +99,9 @@ class BatchPlanner {
       for (const CornerStep& corner : plan_.corners) {
         if (corner.shape.three_sided == three_sided) group.push_back(&corner);
       }
-      for_each_batch(group, [&](const std::vector<const CornerStep*>& steps, int count) { add_corners(steps, count); });
+      for_each_batch(group, [&](const std::vector<const CornerStep*>& steps, int count) {
+        add_corners(steps, count);
+      });
     }
   }
 
@@ -158,12 +169,15 @@ class BatchPlanner {
     std::vector<int>& indices = result_.offsets_.emplace_back();
     for (const PatchStep::BoundaryPoint& point : first.boundary) indices.push_back(point.net_index);
     batch.boundary_net = indices.data();
-    batch.boundary =
-        offsets(steps, batch.boundary_count, [](Step step, int k) { return step->boundary[k].parameter; });
-    batch.boundary_sign =
-        numbers(steps, batch.boundary_count, [](Step step, int k) { return step->boundary[k].mirrored ? -1.0 : 1.0; });
-    batch.base = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->base_net; });
-    batch.kept = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->kept_net; });
+    batch.boundary = offsets(steps, batch.boundary_count,
+                             [](Step step, int k) { return step->boundary[k].parameter; });
+    batch.boundary_sign = numbers(steps, batch.boundary_count, [](Step step, int k) {
+      return step->boundary[k].mirrored ? -1.0 : 1.0;
+    });
+    batch.base =
+        offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->base_net; });
+    batch.kept =
+        offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->kept_net; });
     batch.shape_u = offsets(steps, 1, [](Step step, int) { return step->shape_u; });
     batch.shape_v = offsets(steps, 1, [](Step step, int) { return step->shape_v; });
     batch.cut = offsets(steps, 1, [](Step step, int) { return step->cut; });
@@ -177,9 +191,12 @@ class BatchPlanner {
     batch.count = count;
     batch.memory = take_memory(memory_numbers<SeamMemory<double>>());
     const int points = batch.degree + 1;
-    batch.edge = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 0); });
-    batch.second_a = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 1); });
-    batch.second_b = offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->b, k, 1); });
+    batch.edge =
+        offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 0); });
+    batch.second_a =
+        offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 1); });
+    batch.second_b =
+        offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->b, k, 1); });
     result_.seams_.push_back(batch);
   }
 
@@ -187,9 +204,11 @@ class BatchPlanner {
   template <class SideOf>
   WidthTable width_table(const std::vector<JointSide>& sides, bool is_cut, const SideOf& side_of) {
     WidthTable table;
-    table.parameter = offsets(sides, 1, [&](const JointSide& at, int) { return side_of(at).cut_at; });
-    table.offset =
-        numbers(sides, 1, [&](const JointSide& at, int) { return !is_cut || side_of(at).at_upper ? 1.0 : 0.0; });
+    table.parameter =
+        offsets(sides, 1, [&](const JointSide& at, int) { return side_of(at).cut_at; });
+    table.offset = numbers(sides, 1, [&](const JointSide& at, int) {
+      return !is_cut || side_of(at).at_upper ? 1.0 : 0.0;
+    });
     table.factor = numbers(sides, 1, [&](const JointSide& at, int) {
       return !is_cut ? 0.0 : (side_of(at).at_upper ? -1.0 : 1.0);
     });
@@ -205,23 +224,30 @@ class BatchPlanner {
     batch.memory = take_memory(memory_numbers<SideMemory<double>>());
     using At = const JointSide&;
     const int points = batch.degree + 1;
-    batch.edge = offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 0); });
-    batch.second = offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 1); });
-    batch.edge_row =
-        offsets(sides, 1, [](At at, int) { return numbers_per_point * (at.joint->net + (at.which == 0 ? 0 : 3)); });
-    batch.handle_row =
-        offsets(sides, 1, [](At at, int) { return numbers_per_point * (at.joint->net + (at.which == 0 ? 1 : 2)); });
+    batch.edge =
+        offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 0); });
+    batch.second =
+        offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 1); });
+    batch.edge_row = offsets(sides, 1, [](At at, int) {
+      return numbers_per_point * (at.joint->net + (at.which == 0 ? 0 : 3));
+    });
+    batch.handle_row = offsets(sides, 1, [](At at, int) {
+      return numbers_per_point * (at.joint->net + (at.which == 0 ? 1 : 2));
+    });
     batch.fullness = offsets(sides, 1, [](At at, int) { return at.joint->fullness[at.which]; });
     batch.lean = offsets(sides, 1, [](At at, int) { return at.joint->lean[at.which]; });
     batch.cut_lo = offsets(sides, 1, [](At at, int) { return at.side().cut_lo; });
     batch.across = numbers(sides, 1, [](At at, int) { return double(at.side().walk.across); });
-    batch.width = width_table(sides, kind != SideKind::uncut, [](At at) -> const SideStep& { return at.side(); });
+    batch.width = width_table(sides, kind != SideKind::uncut,
+                              [](At at) -> const SideStep& { return at.side(); });
     if (kind == SideKind::uncut) {
       const auto other = [](At at) -> const SideStep& { return at.joint->side[1 - at.which]; };
       batch.free_edge = offsets(sides, 4, [&](At at, int row) {
-        return numbers_per_point * (plan_.patches[other(at).patch].base_net + at.joint->free_edge[row / 2][row % 2]);
+        return numbers_per_point *
+               (plan_.patches[other(at).patch].base_net + at.joint->free_edge[row / 2][row % 2]);
       });
-      batch.other_across = numbers(sides, 1, [&](At at, int) { return double(other(at).walk.across); });
+      batch.other_across =
+          numbers(sides, 1, [&](At at, int) { return double(other(at).walk.across); });
       batch.other_width = width_table(sides, true, other);
     }
     result_.sides_.push_back(batch);
@@ -233,13 +259,15 @@ class BatchPlanner {
     batch.three_sided = steps.front()->shape.three_sided;
     batch.count = count;
     batch.memory = take_memory(memory_numbers<CornerMemory<double>>());
-    // Point t of edge e, `depth` rows from the transition's end; the edge `top` of three-sided corners is not there.
+    // Point t of edge e, `depth` rows from the transition's end; the edge `top` of three-sided
+    // corners is not there.
     const auto point = [&](Step step, int row, int depth) {
       const CornerEdgeLink& edge = step->edges[row / 4];
       if (edge.joint < 0) return 0;
       const JointStep& joint = plan_.joints[edge.joint];
       const int column = edge.reversed ? 3 - row % 4 : row % 4;
-      return numbers_per_point * (joint.net + 4 * (edge.end == 0 ? depth : joint.net_degree - depth) + column);
+      return numbers_per_point *
+             (joint.net + 4 * (edge.end == 0 ? depth : joint.net_degree - depth) + column);
     };
     batch.end = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 0); });
     batch.next = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 1); });

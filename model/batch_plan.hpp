@@ -3,8 +3,8 @@
 #include <deque>
 #include <vector>
 
-#include "model/body_plan.hpp"
 #include "model/batch_tables.hpp"
+#include "model/body_plan.hpp"
 
 namespace bodyline::model {
 

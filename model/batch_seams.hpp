@@ -3,8 +3,8 @@
 #include "model/batch_memory.hpp"
 #include "model/batch_tables.hpp"
 
-/// Correction of the second rows of both kept nets at a batch of seams, and its pullback (docs/mathematics.md,
-/// section 8).
+/// Correction of the second rows of both kept nets at a batch of seams, and its pullback
+/// (docs/mathematics.md, section 8).
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -28,9 +28,11 @@ template <class Real, class Number>
   }
 }
 
-/// Replaces the adjoints of the second rows by those before the correction, adds to those of the edge.
+/// Replaces the adjoints of the second rows by those before the correction, adds to those of the
+/// edge.
 template <class Real, class Number>
-[[gnu::flatten]] void seams_pullback(const SeamBatch& batch, Number* nets_bar, unsigned char* storage) {
+[[gnu::flatten]] void seams_pullback(const SeamBatch& batch, Number* nets_bar,
+                                     unsigned char* storage) {
   using Io = Pack<Real>;
   const auto& memory = memory_at<SeamMemory<Real>, Real>(storage, batch.memory);
   SeamRows<Real> bar;
@@ -47,7 +49,8 @@ template <class Real, class Number>
     const int row = k * Io::lanes;
     Io::write_point(nets_bar, batch.second_a + row, 0, -bar.across_a[k]);
     Io::write_point(nets_bar, batch.second_b + row, 0, bar.across_b[k]);
-    Io::add_point(nets_bar, batch.edge + row, 0, batch.count, bar.edge[k] + bar.across_a[k] - bar.across_b[k]);
+    Io::add_point(nets_bar, batch.edge + row, 0, batch.count,
+                  bar.edge[k] + bar.across_a[k] - bar.across_b[k]);
   }
 }
 

@@ -3,30 +3,34 @@
 #include "model/batch_memory.hpp"
 #include "model/batch_tables.hpp"
 
-/// The two rows of a transition that one side of its joint gives, for a batch of sides, and their pullback
-/// (docs/mathematics.md, section 6).
+/// The two rows of a transition that one side of its joint gives, for a batch of sides, and their
+/// pullback (docs/mathematics.md, section 6).
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
 template <class Real, class Number>
 Real strip_width(const WidthTable& table, const Number* parameters) {
   using Io = Pack<Real>;
-  return Io::numbers(table.offset) + Io::numbers(table.factor) * Io::read(parameters, table.parameter, 0);
+  return Io::numbers(table.offset) +
+         Io::numbers(table.factor) * Io::read(parameters, table.parameter, 0);
 }
 
 template <class Real, class Number>
-void strip_width_pullback(const WidthTable& table, int count, const Real& width_bar, Number* parameters_bar) {
+void strip_width_pullback(const WidthTable& table, int count, const Real& width_bar,
+                          Number* parameters_bar) {
   using Io = Pack<Real>;
   Io::add(parameters_bar, table.parameter, 0, count, Io::numbers(table.factor) * width_bar);
 }
 
 template <class Real, class Number>
 Real kept_length(const SideBatch& batch, const Number* parameters) {
-  return Pack<Real>::read(parameters, batch.cut_lo, 1) - Pack<Real>::read(parameters, batch.cut_lo, 0);
+  return Pack<Real>::read(parameters, batch.cut_lo, 1) -
+         Pack<Real>::read(parameters, batch.cut_lo, 0);
 }
 
 template <class Real, class Number>
-void read_side(const SideBatch& batch, const Number* parameters, const Number* nets, TransitionSide<Real>& side) {
+void read_side(const SideBatch& batch, const Number* parameters, const Number* nets,
+               TransitionSide<Real>& side) {
   using Io = Pack<Real>;
   for (int k = 0; k <= batch.degree; ++k) {
     side.edge[k] = Io::read_point(nets, batch.edge + k * Io::lanes, 0);
@@ -41,7 +45,8 @@ void read_side(const SideBatch& batch, const Number* parameters, const Number* n
 
 /// The free edge beyond an uncut side, as a derivative over the discarded strip of the other patch.
 template <class Real, class Number>
-void read_free_edge(const SideBatch& batch, const Number* parameters, const Number* nets, SideMemory<Real>& memory) {
+void read_free_edge(const SideBatch& batch, const Number* parameters, const Number* nets,
+                    SideMemory<Real>& memory) {
   using Io = Pack<Real>;
   memory.neighbour_width = strip_width<Real>(batch.other_width, parameters);
   const Real reach = Io::numbers(batch.other_across) * memory.neighbour_width;
@@ -53,7 +58,8 @@ void read_free_edge(const SideBatch& batch, const Number* parameters, const Numb
 }
 
 template <class Real, class Number>
-[[gnu::flatten]] void build_sides(const SideBatch& batch, const Number* parameters, Number* nets, unsigned char* storage) {
+[[gnu::flatten]] void build_sides(const SideBatch& batch, const Number* parameters, Number* nets,
+                                  unsigned char* storage) {
   using Io = Pack<Real>;
   auto& memory = memory_at<SideMemory<Real>, Real>(storage, batch.memory);
   const TransitionSide<Real>& side = memory.side;
@@ -69,7 +75,8 @@ template <class Real, class Number>
     edge = raised;
   } else {
     read_free_edge(batch, parameters, nets, memory);
-    uncut_handle(batch.degree, side, memory.target, memory.neighbour_width, raised, handle, memory.uncut);
+    uncut_handle(batch.degree, side, memory.target, memory.neighbour_width, raised, handle,
+                 memory.uncut);
     edge = raised;
   }
   const int last = batch.kind == SideKind::plain ? batch.degree : batch.degree + 1;
@@ -80,8 +87,9 @@ template <class Real, class Number>
 }
 
 template <class Real, class Number>
-void free_edge_pullback(const SideBatch& batch, const SideMemory<Real>& memory, const Vec3<Real>* target_bar,
-                        const Real& neighbour_width_bar, Number* nets_bar, Number* parameters_bar) {
+void free_edge_pullback(const SideBatch& batch, const SideMemory<Real>& memory,
+                        const Vec3<Real>* target_bar, const Real& neighbour_width_bar,
+                        Number* nets_bar, Number* parameters_bar) {
   using Io = Pack<Real>;
   const Real across = Io::numbers(batch.other_across), reach = across * memory.neighbour_width;
   Real reach_bar{};
@@ -92,13 +100,15 @@ void free_edge_pullback(const SideBatch& batch, const SideMemory<Real>& memory, 
     Io::add_point(nets_bar, at + Io::lanes, 0, batch.count, bar);
     Io::add_point(nets_bar, at, 0, batch.count, -bar);
   }
-  strip_width_pullback(batch.other_width, batch.count, neighbour_width_bar + across * reach_bar, parameters_bar);
+  strip_width_pullback(batch.other_width, batch.count, neighbour_width_bar + across * reach_bar,
+                       parameters_bar);
 }
 
 /// Adds the adjoints of what read_side read.
 template <class Real, class Number>
-void read_side_pullback(const SideBatch& batch, const Number* parameters, const TransitionSide<Real>& side,
-                        const TransitionSide<Real>& bar, Number* nets_bar, Number* parameters_bar) {
+void read_side_pullback(const SideBatch& batch, const Number* parameters,
+                        const TransitionSide<Real>& side, const TransitionSide<Real>& bar,
+                        Number* nets_bar, Number* parameters_bar) {
   using Io = Pack<Real>;
   for (int k = 0; k <= batch.degree; ++k) {
     Io::add_point(nets_bar, batch.edge + k * Io::lanes, 0, batch.count, bar.edge[k]);
@@ -108,7 +118,8 @@ void read_side_pullback(const SideBatch& batch, const Number* parameters, const 
   const Real length_bar = -(per_length * side.stretch);
   Io::add(parameters_bar, batch.cut_lo, 1, batch.count, length_bar);
   Io::add(parameters_bar, batch.cut_lo, 0, batch.count, -length_bar);
-  strip_width_pullback(batch.width, batch.count, per_length * Io::numbers(batch.across), parameters_bar);
+  strip_width_pullback(batch.width, batch.count, per_length * Io::numbers(batch.across),
+                       parameters_bar);
   Io::add(parameters_bar, batch.fullness, 0, batch.count, bar.fullness);
   if (!batch.leaning) return;
   Io::add(parameters_bar, batch.lean, 0, batch.count, bar.lean[0]);
@@ -116,8 +127,9 @@ void read_side_pullback(const SideBatch& batch, const Number* parameters, const 
 }
 
 template <class Real, class Number>
-[[gnu::flatten]] void sides_pullback(const SideBatch& batch, const Number* parameters, unsigned char* storage, Number* nets_bar,
-                    Number* parameters_bar) {
+[[gnu::flatten]] void sides_pullback(const SideBatch& batch, const Number* parameters,
+                                     unsigned char* storage, Number* nets_bar,
+                                     Number* parameters_bar) {
   using Io = Pack<Real>;
   const auto& memory = memory_at<SideMemory<Real>, Real>(storage, batch.memory);
   const TransitionSide<Real>& side = memory.side;
@@ -140,8 +152,8 @@ template <class Real, class Number>
   } else {
     Vec3<Real> target_bar[2] = {};
     Real neighbour_width_bar{};
-    uncut_handle_pullback(batch.degree, side, memory.target, memory.neighbour_width, memory.uncut, edge_bar,
-                          handle_bar, bar, target_bar, neighbour_width_bar);
+    uncut_handle_pullback(batch.degree, side, memory.target, memory.neighbour_width, memory.uncut,
+                          edge_bar, handle_bar, bar, target_bar, neighbour_width_bar);
     free_edge_pullback(batch, memory, target_bar, neighbour_width_bar, nets_bar, parameters_bar);
   }
   read_side_pullback(batch, parameters, side, bar, nets_bar, parameters_bar);

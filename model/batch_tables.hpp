@@ -1,11 +1,13 @@
 #pragma once
 
-/// The construction of a body as batches of equal steps: tables of where each step reads and writes. Plain pointers, for
-/// code that is compiled once per instruction set; batch_plan.hpp makes them.
+/// The construction of a body as batches of equal steps: tables of where each step reads and
+/// writes. Plain pointers, for code that is compiled once per instruction set; batch_plan.hpp makes
+/// them.
 ///
-/// A batch has `lanes` lanes, of which the first `count` hold a step each; the others repeat the last step, and their
-/// adjoints are dropped. A table's comment gives its indices, the lane always last. Entries are positions in the
-/// parameters or in the array of all nets, in numbers, not points; of a point, that of its x.
+/// A batch has `lanes` lanes, of which the first `count` hold a step each; the others repeat the
+/// last step, and their adjoints are dropped. A table's comment gives its indices, the lane always
+/// last. Entries are positions in the parameters or in the array of all nets, in numbers, not
+/// points; of a point, that of its x.
 namespace bodyline::model {
 
 /// Patches of equal degrees: base net, cut, kept net.
@@ -13,9 +15,9 @@ struct PatchBatch {
   int degree_u = 0, degree_v = 0, count = 0;
   int memory = 0;  ///< place of its PatchMemory, in numbers of every lane
   int boundary_count = 0;
-  const int* boundary_net = nullptr;        ///< [point]: index in the net, the same in all lanes
-  const int* boundary = nullptr;            ///< [point][lane]: parameter
-  const double* boundary_sign = nullptr;    ///< [point][lane]: of y, -1 where mirrored
+  const int* boundary_net = nullptr;           ///< [point]: index in the net, the same in all lanes
+  const int* boundary = nullptr;               ///< [point][lane]: parameter
+  const double* boundary_sign = nullptr;       ///< [point][lane]: of y, -1 where mirrored
   const int *base = nullptr, *kept = nullptr;  ///< [lane]: nets
   const int *shape_u = nullptr, *shape_v = nullptr, *cut = nullptr;  ///< [lane]: first parameter
 };
@@ -44,12 +46,14 @@ struct SideBatch {
   SideKind kind = SideKind::plain;
   bool leaning = false;
   int degree = 0, count = 0, memory = 0;
-  const int *edge = nullptr, *second = nullptr;             ///< [point][lane]: rows of the kept net
-  const int *edge_row = nullptr, *handle_row = nullptr;     ///< [lane]: first points of the transition's rows
+  const int *edge = nullptr, *second = nullptr;  ///< [point][lane]: rows of the kept net
+  const int *edge_row = nullptr,
+            *handle_row = nullptr;  ///< [lane]: first points of the transition's rows
   const int *fullness = nullptr, *lean = nullptr, *cut_lo = nullptr;  ///< [lane]
-  const double* across = nullptr;                           ///< [lane]: degree across the side
-  WidthTable width;                                         ///< 1 at an uncut side
-  /// Uncut sides only: the free edge of the other patch's base net, [end][at the joint, next][lane].
+  const double* across = nullptr;  ///< [lane]: degree across the side
+  WidthTable width;                ///< 1 at an uncut side
+  /// Uncut sides only: the free edge of the other patch's base net, [end][at the joint,
+  /// next][lane].
   const int* free_edge = nullptr;
   const double* other_across = nullptr;
   WidthTable other_width;
@@ -62,10 +66,11 @@ inline constexpr int transition_row_step = 12;
 struct CornerBatch {
   bool three_sided = false;
   int count = 0, memory = 0;
-  const int *end = nullptr, *next = nullptr;  ///< [edge][point][lane]: end row of the transition, the row before it
-  const double* degree = nullptr;             ///< [edge][lane]: of the transition along its joint
+  const int *end = nullptr,
+            *next = nullptr;  ///< [edge][point][lane]: end row of the transition, the row before it
+  const double* degree = nullptr;  ///< [edge][lane]: of the transition along its joint
   const int *net = nullptr, *blend = nullptr;
-  const double* seam = nullptr;               ///< [lane]: 1 where a seam ends, else 0
+  const double* seam = nullptr;  ///< [lane]: 1 where a seam ends, else 0
 };
 
 struct BatchTables {

@@ -10,7 +10,8 @@ namespace bodyline::model {
 namespace {
 
 const LaneConstruction& lane_construction(Isa isa) {
-  if (!isa_available(isa)) throw std::invalid_argument("this processor or build lacks the instruction set asked for");
+  if (!isa_available(isa))
+    throw std::invalid_argument("this processor or build lacks the instruction set asked for");
 #if defined(BODYLINE_X86_KERNELS)
   if (isa == Isa::avx512) return isa::avx512::construction();
   if (isa == Isa::avx2) return isa::avx2::construction();
@@ -29,14 +30,16 @@ class LaneBuilder final : public BodyBuilder {
         batches_(plan, construction.lanes),
         nets_(batches_.tables().number_count + spare),
         nets_bar_(batches_.tables().number_count + spare),
-        memory_(batches_.tables().memory * sizeof(double) * construction.lanes / sizeof(Block) + 1) {}
+        memory_(batches_.tables().memory * sizeof(double) * construction.lanes / sizeof(Block) +
+                1) {}
 
   void build(const double* parameters, Stage stage) override {
-    construction_->build(batches_.tables(), static_cast<LastStage>(stage), parameters, nets_.data(), memory_[0].bytes);
+    construction_->build(batches_.tables(), static_cast<LastStage>(stage), parameters, nets_.data(),
+                         memory_[0].bytes);
   }
   void pullback(const double* parameters, Stage stage, double* parameters_bar) override {
-    construction_->pullback(batches_.tables(), static_cast<LastStage>(stage), parameters, memory_[0].bytes,
-                            nets_bar_.data(), parameters_bar);
+    construction_->pullback(batches_.tables(), static_cast<LastStage>(stage), parameters,
+                            memory_[0].bytes, nets_bar_.data(), parameters_bar);
   }
   double* nets() override { return nets_.data(); }
   double* nets_bar() override { return nets_bar_.data(); }

@@ -40,8 +40,10 @@ SideStep plan_side(const BodyPlan& plan, const PatchSide& at, bool backwards) {
   return step;
 }
 
-// The free edge of the cut patch at one end of a joint whose other side is uncut: its two base points next to the joint.
-void plan_free_edge(const BodyPlan& plan, const PatchSide& cut_side, bool backwards, int end, int* points) {
+// The free edge of the cut patch at one end of a joint whose other side is uncut: its two base
+// points next to the joint.
+void plan_free_edge(const BodyPlan& plan, const PatchSide& cut_side, bool backwards, int end,
+                    int* points) {
   const PatchStep& patch = plan.patches[cut_side.patch];
   SideWalk walk = side_walk(cut_side.side, patch.degree_u, patch.degree_v);
   if (backwards) walk = reversed(walk);
@@ -61,13 +63,14 @@ JointStep plan_joint(const Model& model, const BodyPlan& plan, int index) {
   for (int side = 0; side < 2; ++side) {
     step.fullness[side] = plan.layout.fullness(index, side);
     step.lean[side] = plan.layout.lean(index, side, 0);
-    step.leaning[side] =
-        lean_allowed(model, plan.links, index, side, 0) || lean_allowed(model, plan.links, index, side, 1);
+    step.leaning[side] = lean_allowed(model, plan.links, index, side, 0) ||
+                         lean_allowed(model, plan.links, index, side, 1);
   }
   if (step.uncut >= 0) {
     const bool cut_is_b = step.uncut == 0;
     for (int end = 0; end < 2; ++end) {
-      plan_free_edge(plan, cut_is_b ? joint.b : joint.a, cut_is_b && link.b_reversed, end, step.free_edge[end]);
+      plan_free_edge(plan, cut_is_b ? joint.b : joint.a, cut_is_b && link.b_reversed, end,
+                     step.free_edge[end]);
     }
   }
   return step;
@@ -106,8 +109,15 @@ void plan_nets(BodyPlan& plan) {
 void plan_faces(const Model& model, BodyPlan& plan) {
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const PatchStep& step = plan.patches[p];
-    Face face{model.patches[p].name, FaceKind::patch, step.degree_u, step.degree_v, step.base_net, -1,
-              model.patches[p].central, false, plan.links.patches[p].inward};
+    Face face{model.patches[p].name,
+              FaceKind::patch,
+              step.degree_u,
+              step.degree_v,
+              step.base_net,
+              -1,
+              model.patches[p].central,
+              false,
+              plan.links.patches[p].inward};
     plan.base_faces.push_back(face);
     face.net = step.kept_net;
     plan.kept_faces.push_back(face);
@@ -116,13 +126,15 @@ void plan_faces(const Model& model, BodyPlan& plan) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const JointStep& step = plan.joints[j];
     const bool central = plan.links.joints[j].central;
-    plan.body_faces.push_back({model.joints[j].name, FaceKind::transition, step.net_degree, 3, step.net, -1, central,
-                               central, transition_inward(model, plan.links, int(j))});
+    plan.body_faces.push_back({model.joints[j].name, FaceKind::transition, step.net_degree, 3,
+                               step.net, -1, central, central,
+                               transition_inward(model, plan.links, int(j))});
   }
   for (std::size_t c = 0; c < model.corners.size(); ++c) {
     const CornerStep& step = plan.corners[c];
-    plan.body_faces.push_back({model.corners[c].name, FaceKind::corner, corner_degree, corner_degree, step.net,
-                               step.shape.seam ? step.blend : -1, false, false, plan.links.corners[c].inward});
+    plan.body_faces.push_back({model.corners[c].name, FaceKind::corner, corner_degree,
+                               corner_degree, step.net, step.shape.seam ? step.blend : -1, false,
+                               false, plan.links.corners[c].inward});
   }
 }
 
@@ -142,9 +154,11 @@ const std::vector<Face>& BodyPlan::faces(Stage stage) const {
 
 BodyPlan plan_body(const Model& model) {
   BodyPlan plan{connect(model), ParameterLayout(model), {}, {}, {}, {}, 0, 0, {}, {}, {}};
-  for (int p = 0; p < int(model.patches.size()); ++p) plan.patches.push_back(plan_patch(model, plan, p));
+  for (int p = 0; p < int(model.patches.size()); ++p)
+    plan.patches.push_back(plan_patch(model, plan, p));
   for (int s = 0; s < int(model.seams.size()); ++s) plan.seams.push_back(plan_seam(model, plan, s));
-  for (int j = 0; j < int(model.joints.size()); ++j) plan.joints.push_back(plan_joint(model, plan, j));
+  for (int j = 0; j < int(model.joints.size()); ++j)
+    plan.joints.push_back(plan_joint(model, plan, j));
   for (const CornerLinks& link : plan.links.corners) {
     plan.corners.push_back({{link.three_sided, link.seam}, 0, 0, link.edges});
   }

@@ -9,8 +9,8 @@
 #include "model/side_geometry.hpp"
 #include "model/surface.hpp"
 
-/// The body as a list of steps over flat arrays: which parameters feed which net. Made once per model, shared by every
-/// evaluation.
+/// The body as a list of steps over flat arrays: which parameters feed which net. Made once per
+/// model, shared by every evaluation.
 namespace bodyline::model {
 
 /// One patch: base net, cut, kept net. Net offsets count points.
@@ -18,7 +18,8 @@ struct PatchStep {
   int degree_u = 0, degree_v = 0;
   int base_net = 0, kept_net = 0;
   int shape_u = 0, shape_v = 0, cut = 0;  ///< parameters
-  /// Boundary points: parameter of the point and whether it is mirrored, for each net index on the boundary.
+  /// Boundary points: parameter of the point and whether it is mirrored, for each net index on the
+  /// boundary.
   struct BoundaryPoint {
     int net_index = 0;
     int parameter = 0;
@@ -50,7 +51,8 @@ struct JointStep {
   int lean[2] = {0, 0};      ///< parameter of end 0; end 1 follows
   bool leaning[2] = {false, false};
   int uncut = -1;
-  /// Uncut side only: base-net indices of the other patch's free edge at both ends of the joint: at the joint, next.
+  /// Uncut side only: base-net indices of the other patch's free edge at both ends of the joint: at
+  /// the joint, next.
   int free_edge[2][2] = {{0, 0}, {0, 0}};
 };
 
@@ -69,7 +71,8 @@ struct Face {
   int net = 0;
   int blend = -1;  ///< offset, -1 on a polynomial face
   bool central = false;
-  bool central_along_u = false;  ///< the mirror acts on u instead of v (transitions between central patches)
+  bool central_along_u =
+      false;  ///< the mirror acts on u instead of v (transitions between central patches)
   bool inward = false;
 };
 
@@ -80,8 +83,9 @@ struct BodyPlan {
   std::vector<SeamStep> seams;
   std::vector<JointStep> joints;
   std::vector<CornerStep> corners;
-  int point_count = 0;  ///< points in the arena of all nets: base nets, kept nets, transitions, corners
-  int kept_begin = 0;   ///< first point of the kept nets
+  int point_count =
+      0;  ///< points in the arena of all nets: base nets, kept nets, transitions, corners
+  int kept_begin = 0;                                    ///< first point of the kept nets
   std::vector<Face> base_faces, kept_faces, body_faces;  ///< left half and central
 
   const std::vector<Face>& faces(Stage stage) const;

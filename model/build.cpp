@@ -32,7 +32,8 @@ std::vector<Surface> build(const Model& model, Stage stage, Halves halves) {
   std::vector<Surface> surfaces;
   for (const Face& face : plan.faces(stage)) {
     surfaces.push_back(make_surface(face, construction.nets));
-    if (halves == Halves::both && !face.central) surfaces.push_back(mirror_image(Surface(surfaces.back())));
+    if (halves == Halves::both && !face.central)
+      surfaces.push_back(mirror_image(Surface(surfaces.back())));
   }
   return surfaces;
 }

@@ -9,27 +9,33 @@ namespace bodyline::model {
 namespace {
 
 // Which side of a patch lies on the curve of the given name; throws when none or two do.
-Side side_on_curve(const Model& model, int patch, const std::string& curve, const std::string& key) {
+Side side_on_curve(const Model& model, int patch, const std::string& curve,
+                   const std::string& key) {
   std::optional<Side> found;
   for (Side side : all_sides) {
     const SideCurve& use = model.patches[patch].sides[static_cast<int>(side)];
     if (use.mirrored || model.curves[use.curve].name != curve) continue;
     if (found) {
-      throw ModelError(key, "patch \"" + model.patches[patch].name + "\" has the curve \"" + curve + "\" on two sides");
+      throw ModelError(key, "patch \"" + model.patches[patch].name + "\" has the curve \"" + curve +
+                                "\" on two sides");
     }
     found = side;
   }
   if (!found) {
-    throw ModelError(key, "patch \"" + model.patches[patch].name + "\" has no side on the curve \"" + curve + "\"");
+    throw ModelError(key, "patch \"" + model.patches[patch].name +
+                              "\" has no side on the curve \"" + curve + "\"");
   }
   return *found;
 }
 
-void claim_side(Connectivity& links, const Model& model, const PatchSide& side, SideLink link, const std::string& key) {
+void claim_side(Connectivity& links, const Model& model, const PatchSide& side, SideLink link,
+                const std::string& key) {
   SideLink& entry = links.patches[side.patch].sides[static_cast<int>(side.side)];
   if (entry.role != SideRole::free) {
-    throw ModelError(key, "side " + std::string(side_name(side.side)) + " of patch \"" + model.patches[side.patch].name +
-                              "\" already belongs to another joint or seam, or is the mirror side of a central patch");
+    throw ModelError(key, "side " + std::string(side_name(side.side)) + " of patch \"" +
+                              model.patches[side.patch].name +
+                              "\" already belongs to another joint or seam, or is the mirror side "
+                              "of a central patch");
   }
   entry = link;
 }
@@ -41,7 +47,8 @@ bool check_pair(const Model& model, const PatchSide& a, const PatchSide& b, cons
   for (const PatchSide& side : {a, b}) {
     if (side_on_curve(model, side.patch, name, key) != side.side) {
       throw ModelError(key, "side " + std::string(side_name(side.side)) + " of patch \"" +
-                                model.patches[side.patch].name + "\" is not on the curve \"" + name + "\"");
+                                model.patches[side.patch].name + "\" is not on the curve \"" +
+                                name + "\"");
     }
   }
   return model.patches[a.patch].sides[static_cast<int>(a.side)].reversed !=
@@ -87,12 +94,16 @@ void check_curve_use(const Model& model, const Connectivity& links) {
   }
   for (int c = 0; c < int(model.curves.size()); ++c) {
     const std::string key = "curves." + model.curves[c].name;
-    if (users[c].empty()) throw ModelError(key, "no patch uses this curve; remove it or name it as a side");
+    if (users[c].empty())
+      throw ModelError(key, "no patch uses this curve; remove it or name it as a side");
     if (users[c].size() > 2) {
-      throw ModelError(key, std::to_string(users[c].size()) + " sides use this curve; at most two may");
+      throw ModelError(key,
+                       std::to_string(users[c].size()) + " sides use this curve; at most two may");
     }
     if (users[c].size() == 1) continue;
-    const auto role = [&](const PatchSide& s) { return links.patches[s.patch].sides[static_cast<int>(s.side)].role; };
+    const auto role = [&](const PatchSide& s) {
+      return links.patches[s.patch].sides[static_cast<int>(s.side)].role;
+    };
     if (role(users[c][0]) == SideRole::free || role(users[c][1]) == SideRole::free) {
       throw ModelError(key, "patches \"" + model.patches[users[c][0].patch].name + "\" and \"" +
                                 model.patches[users[c][1].patch].name +
@@ -101,7 +112,8 @@ void check_curve_use(const Model& model, const Connectivity& links) {
   }
 }
 
-// S_u x S_v of two patches that share a curve must agree across it; the sign of the whole comes from the volume.
+// S_u x S_v of two patches that share a curve must agree across it; the sign of the whole comes
+// from the volume.
 void orient_patches(const Model& model, Connectivity& links) {
   const auto sense = [&](const PatchSide& s) {
     const bool forward = s.side == Side::v0 || s.side == Side::u1;
@@ -114,10 +126,13 @@ void orient_patches(const Model& model, Connectivity& links) {
       changed = false;
       const auto spread = [&](const PatchSide& a, const PatchSide& b, const std::string& key) {
         const int wanted = -sense(a) * sense(b);
-        if (sign[a.patch] != 0 && sign[b.patch] == 0) sign[b.patch] = wanted * sign[a.patch], changed = true;
-        if (sign[b.patch] != 0 && sign[a.patch] == 0) sign[a.patch] = wanted * sign[b.patch], changed = true;
+        if (sign[a.patch] != 0 && sign[b.patch] == 0)
+          sign[b.patch] = wanted * sign[a.patch], changed = true;
+        if (sign[b.patch] != 0 && sign[a.patch] == 0)
+          sign[a.patch] = wanted * sign[b.patch], changed = true;
         if (sign[a.patch] * sign[b.patch] == -wanted) {
-          throw ModelError(key, "the surface is one-sided: following the joints around comes back turned over");
+          throw ModelError(
+              key, "the surface is one-sided: following the joints around comes back turned over");
         }
       };
       for (const Joint& joint : model.joints) spread(joint.a, joint.b, "joints." + joint.name);

@@ -10,11 +10,13 @@
 /// What joins what in a body: derived from the names of the curves, and checked.
 namespace bodyline::model {
 
-/// A model that cannot be built. `key` is the dotted path of the entry at fault, as in the model file, for example
-/// "patches.hood.u0" or "curves.roof__side_window.points[2]"; what() is one sentence.
+/// A model that cannot be built. `key` is the dotted path of the entry at fault, as in the model
+/// file, for example "patches.hood.u0" or "curves.roof__side_window.points[2]"; what() is one
+/// sentence.
 class ModelError : public std::runtime_error {
  public:
-  ModelError(std::string key, const std::string& sentence) : std::runtime_error(sentence), key_(std::move(key)) {}
+  ModelError(std::string key, const std::string& sentence)
+      : std::runtime_error(sentence), key_(std::move(key)) {}
   const std::string& key() const { return key_; }
 
  private:
@@ -53,7 +55,8 @@ struct SeamLinks {
   int corner_end = 1;  ///< end (in a's direction) at which the corner is
 };
 
-/// One edge of a corner patch: the end of a joint's transition, run from its a to its b unless reversed.
+/// One edge of a corner patch: the end of a joint's transition, run from its a to its b unless
+/// reversed.
 struct CornerEdgeLink {
   int joint = -1;
   int end = 0;
@@ -63,8 +66,9 @@ struct CornerEdgeLink {
 struct CornerLinks {
   int vertex = -1;
   bool three_sided = false;
-  bool seam = false;                    ///< a seam ends at the corner patch's vertex (0,0)
-  std::array<CornerEdgeLink, 4> edges;  ///< by CornerEdge: bottom, top, left, right; top unused when three-sided
+  bool seam = false;  ///< a seam ends at the corner patch's vertex (0,0)
+  std::array<CornerEdgeLink, 4>
+      edges;  ///< by CornerEdge: bottom, top, left, right; top unused when three-sided
   bool inward = false;
 };
 
@@ -77,16 +81,18 @@ struct Connectivity {
   int vertex_count = 0;
 };
 
-/// Derives the connectivity of a model and checks every rule a buildable body keeps; the first broken rule is thrown
-/// as ModelError: known sides and curves, corners that close, equal degrees along joints, each curve used as often
-/// as its role allows, mirror symmetry of central patches, cuts in order and equal along seams, cuts only where a
-/// joint is, counts of shape values, fullness and lean in range, a lean at every pillar foot, every number finite.
+/// Derives the connectivity of a model and checks every rule a buildable body keeps; the first
+/// broken rule is thrown as ModelError: known sides and curves, corners that close, equal degrees
+/// along joints, each curve used as often as its role allows, mirror symmetry of central patches,
+/// cuts in order and equal along seams, cuts only where a joint is, counts of shape values,
+/// fullness and lean in range, a lean at every pillar foot, every number finite.
 Connectivity connect(const Model& model);
 
 /// Number of points of the curve behind a side, less one.
 int side_degree(const Model& model, const Patch& patch, Side side);
 
-/// Whether a side of a joint may lean at an end: it belongs to a patch whose seam ends at that end's corner.
+/// Whether a side of a joint may lean at an end: it belongs to a patch whose seam ends at that
+/// end's corner.
 bool lean_allowed(const Model& model, const Connectivity& links, int joint, int side, int end);
 
 /// The range of fullness that a model may hold, exclusive at both ends.

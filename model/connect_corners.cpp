@@ -20,10 +20,12 @@ int common_vertex(const Model& model, const Connectivity& links, const Corner& c
   }
   if (common.size() != 1) {
     std::string names;
-    for (int patch : corner.patches) names += (names.empty() ? "\"" : ", \"") + model.patches[patch].name + "\"";
+    for (int patch : corner.patches)
+      names += (names.empty() ? "\"" : ", \"") + model.patches[patch].name + "\"";
     throw ModelError(corner_key(corner) + ".patches",
-                     common.empty() ? "the patches " + names + " have no corner point in common"
-                                    : "the patches " + names + " have more than one corner point in common");
+                     common.empty()
+                         ? "the patches " + names + " have no corner point in common"
+                         : "the patches " + names + " have more than one corner point in common");
   }
   return common.front();
 }
@@ -33,8 +35,8 @@ struct Passage {
   int joint = -1, seam = -1, end = 0;
 };
 
-Passage find_passage(const Model& model, const Connectivity& links, const Corner& corner, int vertex, int from,
-                     int to) {
+Passage find_passage(const Model& model, const Connectivity& links, const Corner& corner,
+                     int vertex, int from, int to) {
   const auto joins = [&](const PatchSide& a, const PatchSide& b) {
     return (a.patch == from && b.patch == to) || (a.patch == to && b.patch == from);
   };
@@ -51,9 +53,10 @@ Passage find_passage(const Model& model, const Connectivity& links, const Corner
       if (links.patches[a.patch].vertices[side_vertex(a.side, end)] == vertex) return {-1, k, end};
     }
   }
-  throw ModelError(corner_key(corner) + ".patches",
-                   "patches \"" + model.patches[from].name + "\" and \"" + model.patches[to].name +
-                       "\" follow each other around the corner, but no joint or seam between them ends there");
+  throw ModelError(
+      corner_key(corner) + ".patches",
+      "patches \"" + model.patches[from].name + "\" and \"" + model.patches[to].name +
+          "\" follow each other around the corner, but no joint or seam between them ends there");
 }
 
 struct Ring {
@@ -68,10 +71,12 @@ Ring walk_ring(const Model& model, Connectivity& links, int index) {
   Ring ring;
   for (int k = 0; k < count; ++k) {
     const int from = corner.patches[k], to = corner.patches[(k + 1) % count];
-    const Passage passage = find_passage(model, links, corner, links.corners[index].vertex, from, to);
+    const Passage passage =
+        find_passage(model, links, corner, links.corners[index].vertex, from, to);
     if (passage.seam >= 0) {
       if (ring.seam_position >= 0) {
-        throw ModelError(corner_key(corner) + ".patches", "two seams end at this corner; at most one may");
+        throw ModelError(corner_key(corner) + ".patches",
+                         "two seams end at this corner; at most one may");
       }
       ring.seam_position = int(ring.edges.size());
       links.seams[passage.seam].corner = index;
@@ -82,9 +87,9 @@ Ring walk_ring(const Model& model, Connectivity& links, int index) {
     ring.edges.push_back({passage.joint, passage.end, model.joints[passage.joint].a.patch != from});
     int& claimed = links.joints[passage.joint].corner[passage.end];
     if (claimed >= 0) {
-      throw ModelError(corner_key(corner) + ".patches", "joint \"" + model.joints[passage.joint].name +
-                                                            "\" already ends at corner \"" +
-                                                            model.corners[claimed].name + "\"");
+      throw ModelError(corner_key(corner) + ".patches",
+                       "joint \"" + model.joints[passage.joint].name +
+                           "\" already ends at corner \"" + model.corners[claimed].name + "\"");
     }
     claimed = index;
   }
@@ -96,7 +101,8 @@ CornerEdgeLink flipped(CornerEdgeLink edge) {
   return edge;
 }
 
-// Ring edges e0: v0 -> v1, e1: v1 -> v2, ... onto the patch V(x, y): v0 at (0,0), or at the apex y = 1.
+// Ring edges e0: v0 -> v1, e1: v1 -> v2, ... onto the patch V(x, y): v0 at (0,0), or at the apex y
+// = 1.
 void lay_out(const Ring& ring, CornerLinks& link) {
   const int count = int(ring.edges.size());
   const int first = link.seam ? ring.seam_position % count : ring.apex_position;
@@ -118,7 +124,8 @@ void check_joint_ends(const Model& model, const Connectivity& links) {
     const Joint& joint = model.joints[k];
     const JointLinks& link = links.joints[k];
     if (joint.uncut && (link.corner[0] >= 0 || link.corner[1] >= 0)) {
-      throw ModelError("joints." + joint.name + ".uncut", "a joint that is cut on one side only must end free, not at a corner");
+      throw ModelError("joints." + joint.name + ".uncut",
+                       "a joint that is cut on one side only must end free, not at a corner");
     }
     for (int end = 0; end < 2; ++end) {
       // The right end of a central joint is the mirror image of its left end.
@@ -149,8 +156,9 @@ void connect_corners(const Model& model, Connectivity& links) {
   for (int k = 0; k < int(model.corners.size()); ++k) {
     const Corner& corner = model.corners[k];
     if (corner.patches.size() < 3) {
-      throw ModelError(corner_key(corner) + ".patches", "names " + std::to_string(corner.patches.size()) +
-                                                            " patches; a corner has three or four, or five with a seam");
+      throw ModelError(corner_key(corner) + ".patches",
+                       "names " + std::to_string(corner.patches.size()) +
+                           " patches; a corner has three or four, or five with a seam");
     }
     CornerLinks& link = links.corners.emplace_back();
     link.vertex = common_vertex(model, links, corner);
@@ -159,20 +167,24 @@ void connect_corners(const Model& model, Connectivity& links) {
     link.seam = ring.seam_position >= 0;
     link.three_sided = sides == 3;
     if (sides < 3 || sides > 4 || (sides == 3 && link.seam)) {
-      throw ModelError(corner_key(corner) + ".patches",
-                       std::to_string(sides) + " joints" + (link.seam ? " and a seam" : "") +
-                           " meet here; a corner patch closes three or four joints, or four and a seam");
+      throw ModelError(
+          corner_key(corner) + ".patches",
+          std::to_string(sides) + " joints" + (link.seam ? " and a seam" : "") +
+              " meet here; a corner patch closes three or four joints, or four and a seam");
     }
-    if (corner.apex >= 0 && (!link.three_sided || std::find(corner.patches.begin(), corner.patches.end(), corner.apex) ==
-                                                      corner.patches.end())) {
-      throw ModelError(corner_key(corner) + ".apex", "must name one of the three patches of a corner of three joints");
+    if (corner.apex >= 0 &&
+        (!link.three_sided || std::find(corner.patches.begin(), corner.patches.end(),
+                                        corner.apex) == corner.patches.end())) {
+      throw ModelError(corner_key(corner) + ".apex",
+                       "must name one of the three patches of a corner of three joints");
     }
     lay_out(ring, link);
   }
   check_joint_ends(model, links);
   for (std::size_t k = 0; k < model.seams.size(); ++k) {
     if (links.seams[k].corner < 0) {
-      throw ModelError("seams." + model.seams[k].name, "must end at a corner where four joints and the seam meet");
+      throw ModelError("seams." + model.seams[k].name,
+                       "must end at a corner where four joints and the seam meet");
     }
   }
 }

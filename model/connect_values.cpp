@@ -18,7 +18,8 @@ std::string number_text(double value) {
 }
 
 void check_finite(double value, const std::string& key) {
-  if (!std::isfinite(value)) throw ModelError(key, "is " + number_text(value) + "; a finite number is needed");
+  if (!std::isfinite(value))
+    throw ModelError(key, "is " + number_text(value) + "; a finite number is needed");
 }
 
 template <class Items>
@@ -26,7 +27,8 @@ void check_names(const Items& items, const std::string& table) {
   std::set<std::string> seen;
   for (const auto& item : items) {
     if (item.name.empty()) throw ModelError(table, "has an entry without a name");
-    if (!seen.insert(item.name).second) throw ModelError(table + "." + item.name, "is defined twice");
+    if (!seen.insert(item.name).second)
+      throw ModelError(table + "." + item.name, "is defined twice");
   }
 }
 
@@ -34,18 +36,20 @@ void check_curve(const Curve& curve) {
   const std::string key = "curves." + curve.name + ".points";
   const int degree = int(curve.points.size()) - 1;
   if (degree < 2 || degree > max_patch_degree) {
-    throw ModelError(key, "has " + std::to_string(curve.points.size()) + " points; a curve has 3 to " +
-                              std::to_string(max_patch_degree + 1));
+    throw ModelError(key, "has " + std::to_string(curve.points.size()) +
+                              " points; a curve has 3 to " + std::to_string(max_patch_degree + 1));
   }
   for (int j = 0; j <= degree; ++j) {
-    for (int c = 0; c < 3; ++c) check_finite(curve.points[j][c], key + "[" + std::to_string(j) + "]");
+    for (int c = 0; c < 3; ++c)
+      check_finite(curve.points[j][c], key + "[" + std::to_string(j) + "]");
   }
 }
 
 void check_shape(const std::vector<double>& shape, int degree, const std::string& key) {
   if (int(shape.size()) != degree - 1) {
     throw ModelError(key, "has " + std::to_string(shape.size()) + " values; a patch of degree " +
-                              std::to_string(degree) + " in this direction has " + std::to_string(degree - 1));
+                              std::to_string(degree) + " in this direction has " +
+                              std::to_string(degree - 1));
   }
   for (double value : shape) check_finite(value, key);
 }
@@ -76,7 +80,8 @@ bool is_uncut(const Model& model, const SideLink& link) {
   return link.role == SideRole::joint && model.joints[link.index].uncut == link.which;
 }
 
-// A cut belongs to a joint: free sides, seams and uncut sides keep the whole patch, the others lose a strip.
+// A cut belongs to a joint: free sides, seams and uncut sides keep the whole patch, the others lose
+// a strip.
 void check_cut_places(const Model& model, const Connectivity& links) {
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
@@ -84,18 +89,21 @@ void check_cut_places(const Model& model, const Connectivity& links) {
       const SideLink& link = links.patches[p].sides[static_cast<int>(side)];
       const bool low = side == Side::u0 || side == Side::v0;
       const bool whole = cut_at(patch, side) == (low ? 0.0 : 1.0);
-      const bool cut_here = link.role == SideRole::mirrored
-                                ? links.patches[p].sides[static_cast<int>(Side::v0)].role == SideRole::joint
-                                : link.role == SideRole::joint && !is_uncut(model, link);
+      const bool cut_here =
+          link.role == SideRole::mirrored
+              ? links.patches[p].sides[static_cast<int>(Side::v0)].role == SideRole::joint
+              : link.role == SideRole::joint && !is_uncut(model, link);
       const std::string key = "patches." + patch.name + ".cut." + (along_v(side) ? "u" : "v");
       const std::string end = low ? "lower" : "upper";
       if (cut_here && whole) {
-        throw ModelError(key, "its " + end + " value is " + (low ? "0" : "1") + ", but side " + side_name(side) +
+        throw ModelError(key, "its " + end + " value is " + (low ? "0" : "1") + ", but side " +
+                                  side_name(side) +
                                   " is a joint and needs a strip cut away for its transition");
       }
       if (!cut_here && !whole) {
-        throw ModelError(key, "its " + end + " value is " + number_text(cut_at(patch, side)) + ", but side " +
-                                  side_name(side) + " is not a cut joint; it must be " + (low ? "0" : "1"));
+        throw ModelError(key, "its " + end + " value is " + number_text(cut_at(patch, side)) +
+                                  ", but side " + side_name(side) +
+                                  " is not a cut joint; it must be " + (low ? "0" : "1"));
       }
     }
   }
@@ -105,16 +113,18 @@ void check_central(const Patch& patch) {
   if (!patch.central) return;
   const std::string key = "patches." + patch.name;
   if (std::abs(patch.cut_v[0] + patch.cut_v[1] - 1.0) > 1e-12) {
-    throw ModelError(key + ".cut.v", "is [" + number_text(patch.cut_v[0]) + ", " + number_text(patch.cut_v[1]) +
+    throw ModelError(key + ".cut.v", "is [" + number_text(patch.cut_v[0]) + ", " +
+                                         number_text(patch.cut_v[1]) +
                                          "]; on a central patch the two add up to 1");
   }
   const int count = int(patch.shape_v.size());
   for (int k = 0; k < count; ++k) {
     if (patch.shape_v[k] != patch.shape_v[count - 1 - k]) {
-      throw ModelError(key + ".shape.v", "is not symmetric, as on a central patch it must be: value " +
-                                             std::to_string(k) + " is " + number_text(patch.shape_v[k]) + ", value " +
-                                             std::to_string(count - 1 - k) + " is " +
-                                             number_text(patch.shape_v[count - 1 - k]));
+      throw ModelError(key + ".shape.v",
+                       "is not symmetric, as on a central patch it must be: value " +
+                           std::to_string(k) + " is " + number_text(patch.shape_v[k]) + ", value " +
+                           std::to_string(count - 1 - k) + " is " +
+                           number_text(patch.shape_v[count - 1 - k]));
     }
   }
 }
@@ -130,8 +140,9 @@ void check_seam_cuts(const Model& model, const Connectivity& links) {
     for (int end = 0; end < 2; ++end) {
       if (std::abs(cut_a[end] - cut_b[end]) <= 1e-12) continue;
       throw ModelError("patches." + b.name + ".cut." + (along_v(seam.b.side) ? "v" : "u"),
-                       "must keep the same piece of the seam \"" + seam.name + "\" as patch \"" + a.name +
-                           "\", whose cut there is " + number_text(cut_a[end]) + ", not " + number_text(cut_b[end]));
+                       "must keep the same piece of the seam \"" + seam.name + "\" as patch \"" +
+                           a.name + "\", whose cut there is " + number_text(cut_a[end]) + ", not " +
+                           number_text(cut_b[end]));
     }
   }
 }
@@ -142,8 +153,8 @@ void check_joint_values(const Model& model, const Connectivity& links) {
     const std::string key = "joints." + joint.name;
     for (int side = 0; side < 2; ++side) {
       if (!(joint.fullness[side] > min_fullness && joint.fullness[side] < max_fullness)) {
-        throw ModelError(key + ".fullness",
-                         "is " + number_text(joint.fullness[side]) + "; it must be above 0 and below 3");
+        throw ModelError(key + ".fullness", "is " + number_text(joint.fullness[side]) +
+                                                "; it must be above 0 and below 3");
       }
       for (int end = 0; end < 2; ++end) {
         const double lean = joint.lean[side][end];
@@ -152,15 +163,17 @@ void check_joint_values(const Model& model, const Connectivity& links) {
           throw ModelError(lean_key, "is " + number_text(lean) + "; it must be from -5 to 5");
         }
         if (lean != 0.0 && !lean_allowed(model, links, int(k), side, end)) {
-          throw ModelError(lean_key, "value " + std::to_string(end) + " is " + number_text(lean) +
-                                         "; only a side that meets a seam at that end may lean, others have 0");
+          throw ModelError(
+              lean_key, "value " + std::to_string(end) + " is " + number_text(lean) +
+                            "; only a side that meets a seam at that end may lean, others have 0");
         }
       }
     }
   }
 }
 
-// Without a lean both transitions at the end of a seam would leave along it, and their corner patch would have no plane.
+// Without a lean both transitions at the end of a seam would leave along it, and their corner patch
+// would have no plane.
 void check_seam_leans(const Model& model, const Connectivity& links) {
   for (int c = 0; c < int(links.corners.size()); ++c) {
     if (!links.corners[c].seam) continue;
@@ -169,14 +182,16 @@ void check_seam_leans(const Model& model, const Connectivity& links) {
     for (int j = 0; j < int(model.joints.size()); ++j) {
       for (int side = 0; side < 2; ++side) {
         for (int end = 0; end < 2; ++end) {
-          if (links.joints[j].corner[end] != c || !lean_allowed(model, links, j, side, end)) continue;
+          if (links.joints[j].corner[end] != c || !lean_allowed(model, links, j, side, end))
+            continue;
           sum += std::abs(model.joints[j].lean[side][end]);
           key = "joints." + model.joints[j].name + ".lean." + (side == 0 ? "a" : "b");
         }
       }
     }
     if (sum < min_seam_lean) {
-      throw ModelError(key, "the transitions at corner \"" + model.corners[c].name + "\" lean by " + number_text(sum) +
+      throw ModelError(key, "the transitions at corner \"" + model.corners[c].name + "\" lean by " +
+                                number_text(sum) +
                                 " in all, but must lean away from the seam that ends there by " +
                                 number_text(min_seam_lean) + " or more; 0.6 each is a good value");
     }
@@ -186,13 +201,16 @@ void check_seam_leans(const Model& model, const Connectivity& links) {
 // Models made in code may hold the default indices.
 void check_indices(const Model& model) {
   const auto check = [&](int patch, const std::string& key) {
-    if (patch < 0 || patch >= int(model.patches.size())) throw ModelError(key, "names no patch of this model");
+    if (patch < 0 || patch >= int(model.patches.size()))
+      throw ModelError(key, "names no patch of this model");
   };
   for (const Joint& joint : model.joints) {
-    for (const PatchSide& side : {joint.a, joint.b}) check(side.patch, "joints." + joint.name + ".between");
+    for (const PatchSide& side : {joint.a, joint.b})
+      check(side.patch, "joints." + joint.name + ".between");
   }
   for (const Seam& seam : model.seams) {
-    for (const PatchSide& side : {seam.a, seam.b}) check(side.patch, "seams." + seam.name + ".between");
+    for (const PatchSide& side : {seam.a, seam.b})
+      check(side.patch, "seams." + seam.name + ".between");
   }
   for (const Corner& corner : model.corners) {
     for (int patch : corner.patches) check(patch, "corners." + corner.name + ".patches");
@@ -228,10 +246,13 @@ void check_numbers(const Model& model) {
       }
     }
     const std::string key = "patches." + patch.name;
-    const int degree_u = side_degree(model, patch, Side::v0), degree_v = side_degree(model, patch, Side::u0);
+    const int degree_u = side_degree(model, patch, Side::v0),
+              degree_v = side_degree(model, patch, Side::u0);
     // Opposite sides of different degree are refused later, and with the better sentence.
-    if (side_degree(model, patch, Side::v1) == degree_u) check_shape(patch.shape_u, degree_u, key + ".shape.u");
-    if (side_degree(model, patch, Side::u1) == degree_v) check_shape(patch.shape_v, degree_v, key + ".shape.v");
+    if (side_degree(model, patch, Side::v1) == degree_u)
+      check_shape(patch.shape_u, degree_u, key + ".shape.u");
+    if (side_degree(model, patch, Side::u1) == degree_v)
+      check_shape(patch.shape_v, degree_v, key + ".shape.v");
     check_cut_order(patch.cut_u, key + ".cut.u");
     check_cut_order(patch.cut_v, key + ".cut.v");
     check_central(patch);
@@ -244,11 +265,13 @@ void check_values(const Model& model, const Connectivity& links) {
     const int a = side_degree(model, model.patches[joint.a.patch], joint.a.side);
     const int b = side_degree(model, model.patches[joint.b.patch], joint.b.side);
     if (a != b) {
-      throw ModelError("joints." + joint.name, "has degree " + std::to_string(a) + " on one side and " +
-                                                   std::to_string(b) + " on the other");
+      throw ModelError("joints." + joint.name, "has degree " + std::to_string(a) +
+                                                   " on one side and " + std::to_string(b) +
+                                                   " on the other");
     }
     if (joint.uncut && *joint.uncut != 0 && *joint.uncut != 1) {
-      throw ModelError("joints." + joint.name + ".uncut", "must name one of the joint's two patches");
+      throw ModelError("joints." + joint.name + ".uncut",
+                       "must name one of the joint's two patches");
     }
   }
   check_cut_places(model, links);
@@ -276,7 +299,8 @@ double signed_volume(const Model& model, const Connectivity& links) {
     const Eigen::Vector3d p10 = corner(Side::u1, 0), p11 = corner(Side::u1, 1);
     const Eigen::Vector3d area = 0.5 * (p11 - p00).cross(p01 - p10);
     const double height = 0.25 * (p00.z() + p01.z() + p10.z() + p11.z()) - ground;
-    volume += (links.patches[p].inward ? -1.0 : 1.0) * height * area.z() * (patch.central ? 1.0 : 2.0);
+    volume +=
+        (links.patches[p].inward ? -1.0 : 1.0) * height * area.z() * (patch.central ? 1.0 : 2.0);
   }
   return volume;
 }

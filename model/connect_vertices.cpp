@@ -18,7 +18,9 @@ std::string point_text(const Eigen::Vector3d& p) {
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }
 
-std::string side_key(const Patch& patch, Side side) { return "patches." + patch.name + "." + side_name(side); }
+std::string side_key(const Patch& patch, Side side) {
+  return "patches." + patch.name + "." + side_name(side);
+}
 
 void check_sides(const Model& model) {
   for (const Patch& patch : model.patches) {
@@ -28,13 +30,15 @@ void check_sides(const Model& model) {
         throw ModelError(side_key(patch, side), "names no curve of this model");
       }
       if (use.mirrored != (patch.central && side == Side::v1)) {
-        throw ModelError(side_key(patch, side), "only side v1 of a central patch is a mirror image (of its v0)");
+        throw ModelError(side_key(patch, side),
+                         "only side v1 of a central patch is a mirror image (of its v0)");
       }
     }
     if (patch.central) {
       const SideCurve &v0 = patch.sides[2], &v1 = patch.sides[3];
       if (v1.curve != v0.curve || v1.reversed != v0.reversed) {
-        throw ModelError(side_key(patch, Side::v1), "must be the mirror image of v0, since the patch is central");
+        throw ModelError(side_key(patch, Side::v1),
+                         "must be the mirror image of v0, since the patch is central");
       }
     }
   }
@@ -46,8 +50,9 @@ void set_degrees(const Model& model, Connectivity& links) {
     const auto degree = [&](Side first, Side second) {
       const int a = side_degree(model, patch, first), b = side_degree(model, patch, second);
       if (a != b) {
-        throw ModelError(side_key(patch, second), "has " + std::to_string(b + 1) + " points where the opposite side " +
-                                                      side_name(first) + " has " + std::to_string(a + 1));
+        throw ModelError(side_key(patch, second),
+                         "has " + std::to_string(b + 1) + " points where the opposite side " +
+                             side_name(first) + " has " + std::to_string(a + 1));
       }
       return a;
     };
@@ -59,7 +64,9 @@ void set_degrees(const Model& model, Connectivity& links) {
 // Union-find over curve ends: end e of curve c is node 2c + e.
 class EndClasses {
  public:
-  explicit EndClasses(std::size_t curves) : parent_(2 * curves) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit EndClasses(std::size_t curves) : parent_(2 * curves) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   int find(int node) const {
     while (parent_[node] != node) node = parent_[node];
     return node;
@@ -73,14 +80,17 @@ class EndClasses {
   std::vector<int> parent_;
 };
 
-int end_node(const SideCurve& use, int end) { return 2 * use.curve + (use.reversed ? 1 - end : end); }
+int end_node(const SideCurve& use, int end) {
+  return 2 * use.curve + (use.reversed ? 1 - end : end);
+}
 
 const Eigen::Vector3d& end_point(const Model& model, int node) {
   const std::vector<Eigen::Vector3d>& points = model.curves[node / 2].points;
   return node % 2 == 0 ? points.front() : points.back();
 }
 
-// The pairs of side ends that meet at the corners of a patch; a central patch closes its right half by symmetry.
+// The pairs of side ends that meet at the corners of a patch; a central patch closes its right half
+// by symmetry.
 struct Meeting {
   Side first;
   int first_end;
@@ -102,8 +112,9 @@ void close_corners(const Model& model, EndClasses& classes) {
       const Eigen::Vector3d &pa = end_point(model, a), &pb = end_point(model, b);
       if (!((pa - pb).norm() <= closing_tolerance)) {
         throw ModelError(side_key(patch, meeting.second),
-                         "does not close the patch: its " + std::string(meeting.second_end ? "last" : "first") +
-                             " point is " + point_text(pb) + " where side " + side_name(meeting.first) + " has " +
+                         "does not close the patch: its " +
+                             std::string(meeting.second_end ? "last" : "first") + " point is " +
+                             point_text(pb) + " where side " + side_name(meeting.first) + " has " +
                              point_text(pa) + "; both must be the same point");
       }
       classes.unite(a, b);
@@ -119,12 +130,14 @@ void check_symmetry(const Model& model) {
       const Curve& curve = model.curves[patch.sides[static_cast<int>(side)].curve];
       const int n = int(curve.points.size()) - 1;
       for (int j = 0; j <= n; ++j) {
-        const Eigen::Vector3d mirror(curve.points[n - j].x(), -curve.points[n - j].y(), curve.points[n - j].z());
+        const Eigen::Vector3d mirror(curve.points[n - j].x(), -curve.points[n - j].y(),
+                                     curve.points[n - j].z());
         if (!((curve.points[j] - mirror).norm() <= closing_tolerance)) {
           throw ModelError("curves." + curve.name + ".points[" + std::to_string(j) + "]",
                            point_text(curve.points[j]) + " is not the mirror image in y of point " +
                                std::to_string(n - j) + " " + point_text(curve.points[n - j]) +
-                               ", as a curve across the central patch \"" + patch.name + "\" must be");
+                               ", as a curve across the central patch \"" + patch.name +
+                               "\" must be");
         }
       }
     }
@@ -151,7 +164,8 @@ void connect_vertices(const Model& model, Connectivity& links) {
     for (Side side : {Side::u0, Side::u1}) {
       for (int end = 0; end < 2; ++end) {
         const int node = end_node(patch.sides[static_cast<int>(side)], end);
-        links.patches[p].vertices[side_vertex(side, end)] = links.curve_vertices[node / 2][node % 2];
+        links.patches[p].vertices[side_vertex(side, end)] =
+            links.curve_vertices[node / 2][node % 2];
       }
     }
     if (!patch.central) continue;

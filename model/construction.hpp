@@ -6,12 +6,13 @@
 #include "model/batch_construction.hpp"
 #include "model/batch_plan.hpp"
 
-/// Parameters to nets, and back: the whole body, stage by stage, for any arithmetic type, one step at a time.
-/// body_builder.hpp does the same with several steps at once.
+/// Parameters to nets, and back: the whole body, stage by stage, for any arithmetic type, one step
+/// at a time. body_builder.hpp does the same with several steps at once.
 namespace bodyline::model {
 
-/// Working memory of one construction. `build` fills `nets`; `pullback` turns `nets_bar`, the adjoints of all nets, into
-/// the adjoints of the parameters. Nothing is allocated after the constructor. Not for two threads at once.
+/// Working memory of one construction. `build` fills `nets`; `pullback` turns `nets_bar`, the
+/// adjoints of all nets, into the adjoints of the parameters. Nothing is allocated after the
+/// constructor. Not for two threads at once.
 template <class Real>
 class Construction {
  public:
@@ -31,8 +32,8 @@ class Construction {
 
   /// After build(parameters, stage): adds d / d parameter to `parameters_bar`. Consumes nets_bar.
   void pullback(const Real* parameters, Stage stage, Real* parameters_bar) {
-    batches_pullback<Real>(batches_->tables(), last_stage(stage), parameters, storage(), &nets_bar[0].x,
-                           parameters_bar);
+    batches_pullback<Real>(batches_->tables(), last_stage(stage), parameters, storage(),
+                           &nets_bar[0].x, parameters_bar);
   }
 
  private:

@@ -1,10 +1,10 @@
-// Compiled once per instruction set, with BODYLINE_ISA_NAMESPACE naming the set. As in kernels_impl.cpp nothing of
-// another namespace may be instantiated or inlined here.
+// Compiled once per instruction set, with BODYLINE_ISA_NAMESPACE naming the set. As in
+// kernels_impl.cpp nothing of another namespace may be instantiated or inlined here.
 
 #include "model/construction_lanes.hpp"
 
-#include "model/lane.hpp"
 #include "model/batch_construction.hpp"
+#include "model/lane.hpp"
 
 namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
 

@@ -2,17 +2,18 @@
 
 #include "model/batch_tables.hpp"
 
-/// The batched construction of each instruction set, defined by construction_lanes.cpp, which is compiled once for each.
-/// Those that a build does not carry are declared but not defined.
+/// The batched construction of each instruction set, defined by construction_lanes.cpp, which is
+/// compiled once for each. Those that a build does not carry are declared but not defined.
 namespace bodyline::model {
 
 struct LaneConstruction {
   int lanes = 0;
-  /// As build_batches and batches_pullback; `storage` holds tables.memory * lanes doubles at 64 bytes.
+  /// As build_batches and batches_pullback; `storage` holds tables.memory * lanes doubles at 64
+  /// bytes.
   void (*build)(const BatchTables&, LastStage, const double* parameters, double* nets,
                 unsigned char* storage) = nullptr;
-  void (*pullback)(const BatchTables&, LastStage, const double* parameters, unsigned char* storage, double* nets_bar,
-                   double* parameters_bar) = nullptr;
+  void (*pullback)(const BatchTables&, LastStage, const double* parameters, unsigned char* storage,
+                   double* nets_bar, double* parameters_bar) = nullptr;
 };
 
 namespace isa {

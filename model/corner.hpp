@@ -5,8 +5,8 @@
 #include "model/plane_solve.hpp"
 #include "model/vec3.hpp"
 
-/// The corner patch where three or four transitions end: a bicubically blended Coons patch V(x, y) of degree (6,6),
-/// G1 with all of them (docs/mathematics.md, section 7).
+/// The corner patch where three or four transitions end: a bicubically blended Coons patch V(x, y)
+/// of degree (6,6), G1 with all of them (docs/mathematics.md, section 7).
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -20,17 +20,20 @@ enum CornerEdge { bottom, top, left, right };
 template <class Real>
 struct TransitionEnd {
   Vec3<Real> curve[4];   ///< the edge itself
-  Vec3<Real> inward[4];  ///< the transition's derivative along the joint, as a cubic in the edge's parameter
+  Vec3<Real> inward[4];  ///< the transition's derivative along the joint, as a cubic in the edge's
+                         ///< parameter
 };
 
-/// Field across an edge: kappa(t) inward(t) + mu(t) curve'(t), kappa and mu cubic (Hermite data at both ends).
+/// Field across an edge: kappa(t) inward(t) + mu(t) curve'(t), kappa and mu cubic (Hermite data at
+/// both ends).
 template <class Real>
 struct CornerField {
   PlaneCoordinates<Real> value[2];  ///< (kappa, mu) at t = 0 and 1
   PlaneCoordinates<Real> slope[2];
 };
 
-/// Everything the construction computed on its way, for the pullback. Fields are indexed by CornerEdge.
+/// Everything the construction computed on its way, for the pullback. Fields are indexed by
+/// CornerEdge.
 template <class Real>
 struct CornerTrace {
   CornerField<Real> field[4];
@@ -47,17 +50,19 @@ inline constexpr CornerVertex corner_vertices[4] = {
 /// Value and derivatives of a transition end's curve and inward field at t = 0 or 1.
 template <class Real>
 struct EndJet {
-  Vec3<Real> tangent, second;           ///< c', c''
-  Vec3<Real> inward, inward_derivative; ///< q, q'
+  Vec3<Real> tangent, second;            ///< c', c''
+  Vec3<Real> inward, inward_derivative;  ///< q, q'
 };
 
 template <class Real>
 EndJet<Real> end_jet(const TransitionEnd<Real>& edge, int end) {
   const Vec3<Real>*c = edge.curve, *q = edge.inward;
   if (end == 0) {
-    return {scaled(3.0, c[1] - c[0]), scaled(6.0, c[0] - scaled(2.0, c[1]) + c[2]), q[0], scaled(3.0, q[1] - q[0])};
+    return {scaled(3.0, c[1] - c[0]), scaled(6.0, c[0] - scaled(2.0, c[1]) + c[2]), q[0],
+            scaled(3.0, q[1] - q[0])};
   }
-  return {scaled(3.0, c[3] - c[2]), scaled(6.0, c[1] - scaled(2.0, c[2]) + c[3]), q[3], scaled(3.0, q[3] - q[2])};
+  return {scaled(3.0, c[3] - c[2]), scaled(6.0, c[1] - scaled(2.0, c[2]) + c[3]), q[3],
+          scaled(3.0, q[3] - q[2])};
 }
 
 template <class Real>
@@ -76,13 +81,15 @@ void end_jet_pullback(int end, const EndJet<Real>& bar, TransitionEnd<Real>& edg
 template <class Real>
 Vec3<Real> field_twist(const EndJet<Real>& jet, const PlaneCoordinates<Real>& value,
                        const PlaneCoordinates<Real>& slope) {
-  return slope.p * jet.inward + value.p * jet.inward_derivative + slope.q * jet.tangent + value.q * jet.second;
+  return slope.p * jet.inward + value.p * jet.inward_derivative + slope.q * jet.tangent +
+         value.q * jet.second;
 }
 
 template <class Real>
 void field_twist_pullback(const EndJet<Real>& jet, const PlaneCoordinates<Real>& value,
-                          const PlaneCoordinates<Real>& slope, const Vec3<Real>& bar, EndJet<Real>& jet_bar,
-                          PlaneCoordinates<Real>& value_bar, PlaneCoordinates<Real>& slope_bar) {
+                          const PlaneCoordinates<Real>& slope, const Vec3<Real>& bar,
+                          EndJet<Real>& jet_bar, PlaneCoordinates<Real>& value_bar,
+                          PlaneCoordinates<Real>& slope_bar) {
   slope_bar.p += dot(bar, jet.inward);
   slope_bar.q += dot(bar, jet.tangent);
   value_bar.p += dot(bar, jet.inward_derivative);
@@ -93,12 +100,12 @@ void field_twist_pullback(const EndJet<Real>& jet, const PlaneCoordinates<Real>&
   jet_bar.second += value.q * bar;
 }
 
-/// In the norm of the slopes kappa' counts 1 / kappa_ease = 5 times as much as mu': a steep kappa falls below zero
-/// between the vertices, and the corner patch then turns back at the edge.
+/// In the norm of the slopes kappa' counts 1 / kappa_ease = 5 times as much as mu': a steep kappa
+/// falls below zero between the vertices, and the corner patch then turns back at the edge.
 inline constexpr double kappa_ease = 0.2;
 
-/// Field values at a regular vertex, and the four slopes (kappa', mu' of both edges) that make both twists agree
-/// in the tangent plane with the least norm.
+/// Field values at a regular vertex, and the four slopes (kappa', mu' of both edges) that make both
+/// twists agree in the tangent plane with the least norm.
 template <class Real>
 void regular_vertex(const EndJet<Real>& x, const EndJet<Real>& y, PlaneCoordinates<Real>& x_value,
                     PlaneCoordinates<Real>& x_slope, PlaneCoordinates<Real>& y_value,
@@ -107,7 +114,8 @@ void regular_vertex(const EndJet<Real>& x, const EndJet<Real>& y, PlaneCoordinat
   y_value = plane_solve(y.inward, y.tangent, x.tangent);
   const PlaneCoordinates<Real> none{};
   const Vec3<Real> gap = field_twist(y, y_value, none) - field_twist(x, x_value, none);
-  const Vec3<Real> column[4] = {scaled(kappa_ease, x.inward), x.tangent, scaled(-kappa_ease, y.inward), -y.tangent};
+  const Vec3<Real> column[4] = {scaled(kappa_ease, x.inward), x.tangent,
+                                scaled(-kappa_ease, y.inward), -y.tangent};
   const Vec3<Real> axis[2] = {x.tangent, y.tangent};
   Real a[2][4], rhs[2];
   for (int r = 0; r < 2; ++r) {
@@ -121,20 +129,24 @@ void regular_vertex(const EndJet<Real>& x, const EndJet<Real>& y, PlaneCoordinat
     g11 += a[1][k] * a[1][k];
   }
   const Real inverse = Real(1.0) / (g00 * g11 - g01 * g01);
-  const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse, y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
+  const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse,
+             y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
   x_slope = {Real(kappa_ease) * (a[0][0] * y0 + a[1][0] * y1), a[0][1] * y0 + a[1][1] * y1};
   y_slope = {Real(kappa_ease) * (a[0][2] * y0 + a[1][2] * y1), a[0][3] * y0 + a[1][3] * y1};
 }
 
-/// Pullback of regular_vertex: adds to the adjoints of both end jets; the value adjoints are consumed.
+/// Pullback of regular_vertex: adds to the adjoints of both end jets; the value adjoints are
+/// consumed.
 template <class Real>
-void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const PlaneCoordinates<Real>& x_value,
-                             const PlaneCoordinates<Real>& y_value, PlaneCoordinates<Real> x_value_bar,
-                             const PlaneCoordinates<Real>& x_slope_bar, PlaneCoordinates<Real> y_value_bar,
-                             const PlaneCoordinates<Real>& y_slope_bar, EndJet<Real>& x_bar, EndJet<Real>& y_bar) {
+void regular_vertex_pullback(
+    const EndJet<Real>& x, const EndJet<Real>& y, const PlaneCoordinates<Real>& x_value,
+    const PlaneCoordinates<Real>& y_value, PlaneCoordinates<Real> x_value_bar,
+    const PlaneCoordinates<Real>& x_slope_bar, PlaneCoordinates<Real> y_value_bar,
+    const PlaneCoordinates<Real>& y_slope_bar, EndJet<Real>& x_bar, EndJet<Real>& y_bar) {
   const PlaneCoordinates<Real> none{};
   const Vec3<Real> gap = field_twist(y, y_value, none) - field_twist(x, x_value, none);
-  const Vec3<Real> column[4] = {scaled(kappa_ease, x.inward), x.tangent, scaled(-kappa_ease, y.inward), -y.tangent};
+  const Vec3<Real> column[4] = {scaled(kappa_ease, x.inward), x.tangent,
+                                scaled(-kappa_ease, y.inward), -y.tangent};
   const Vec3<Real> axis[2] = {x.tangent, y.tangent};
   Real a[2][4], rhs[2];
   for (int r = 0; r < 2; ++r) {
@@ -148,10 +160,11 @@ void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const
     g11 += a[1][k] * a[1][k];
   }
   const Real inverse = Real(1.0) / (g00 * g11 - g01 * g01);
-  const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse, y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
+  const Real y0 = (g11 * rhs[0] - g01 * rhs[1]) * inverse,
+             y1 = (g00 * rhs[1] - g01 * rhs[0]) * inverse;
   // z = A^T s, s = (A A^T)^-1 rhs
-  const Real z_bar[4] = {Real(kappa_ease) * x_slope_bar.p, x_slope_bar.q, Real(kappa_ease) * y_slope_bar.p,
-                         y_slope_bar.q};
+  const Real z_bar[4] = {Real(kappa_ease) * x_slope_bar.p, x_slope_bar.q,
+                         Real(kappa_ease) * y_slope_bar.p, y_slope_bar.q};
   Real s0{}, s1{};
   for (int k = 0; k < 4; ++k) {
     s0 += a[0][k] * z_bar[k];
@@ -177,14 +190,14 @@ void regular_vertex_pullback(const EndJet<Real>& x, const EndJet<Real>& y, const
   x_bar.tangent += column_bar[1] + axis_bar[0];
   y_bar.inward -= scaled(kappa_ease, column_bar[2]);
   y_bar.tangent += axis_bar[1] - column_bar[3];
-  plane_solve_pullback(x.inward, x.tangent, y.tangent, x_value, x_value_bar, x_bar.inward, x_bar.tangent,
-                       y_bar.tangent);
-  plane_solve_pullback(y.inward, y.tangent, x.tangent, y_value, y_value_bar, y_bar.inward, y_bar.tangent,
-                       x_bar.tangent);
+  plane_solve_pullback(x.inward, x.tangent, y.tangent, x_value, x_value_bar, x_bar.inward,
+                       x_bar.tangent, y_bar.tangent);
+  plane_solve_pullback(y.inward, y.tangent, x.tangent, y_value, y_value_bar, y_bar.inward,
+                       y_bar.tangent, x_bar.tangent);
 }
 
-/// Where three joints meet the edge y = 1 shrinks to the apex: there the fields of the two long edges vanish and their
-/// slopes make the twist equal to the difference of the two end tangents.
+/// Where three joints meet the edge y = 1 shrinks to the apex: there the fields of the two long
+/// edges vanish and their slopes make the twist equal to the difference of the two end tangents.
 template <class Real>
 void apex_vertex(const TransitionEnd<Real>* edges, CornerField<Real>* field) {
   const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
@@ -201,10 +214,10 @@ void apex_vertex_pullback(const TransitionEnd<Real>* edges, const CornerField<Re
   const Vec3<Real> twist = r.tangent - l.tangent;
   EndJet<Real> l_bar{}, r_bar{};
   Vec3<Real> twist_bar{};
-  plane_solve_pullback(l.inward, l.tangent, twist, field[left].slope[1], field_bar[left].slope[1], l_bar.inward,
-                       l_bar.tangent, twist_bar);
-  plane_solve_pullback(r.inward, r.tangent, twist, field[right].slope[1], field_bar[right].slope[1], r_bar.inward,
-                       r_bar.tangent, twist_bar);
+  plane_solve_pullback(l.inward, l.tangent, twist, field[left].slope[1], field_bar[left].slope[1],
+                       l_bar.inward, l_bar.tangent, twist_bar);
+  plane_solve_pullback(r.inward, r.tangent, twist, field[right].slope[1], field_bar[right].slope[1],
+                       r_bar.inward, r_bar.tangent, twist_bar);
   r_bar.tangent += twist_bar;
   l_bar.tangent -= twist_bar;
   end_jet_pullback(1, l_bar, edges_bar[left]);
@@ -227,8 +240,9 @@ void field_row(const TransitionEnd<Real>& edge, const CornerField<Real>& field, 
 }
 
 template <class Real>
-void field_row_pullback(const TransitionEnd<Real>& edge, const CornerField<Real>& field, const Vec3<Real>* row_bar,
-                        TransitionEnd<Real>& edge_bar, CornerField<Real>& field_bar) {
+void field_row_pullback(const TransitionEnd<Real>& edge, const CornerField<Real>& field,
+                        const Vec3<Real>* row_bar, TransitionEnd<Real>& edge_bar,
+                        CornerField<Real>& field_bar) {
   const PlaneCoordinates<Real>*v = field.value, *s = field.slope;
   const Real third(1.0 / 3.0);
   const Real kappa[4] = {v[0].p, v[0].p + third * s[0].p, v[1].p - third * s[1].p, v[1].p};
@@ -263,18 +277,21 @@ template <class Real>
 VertexTwist<Real> vertex_twist(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
                                const CornerVertex& vertex) {
   const CornerField<Real>&fx = field[vertex.along_x], fy = field[vertex.along_y];
-  return {field_twist(end_jet(edges[vertex.along_x], vertex.x), fx.value[vertex.x], fx.slope[vertex.x]),
-          field_twist(end_jet(edges[vertex.along_y], vertex.y), fy.value[vertex.y], fy.slope[vertex.y])};
+  return {
+      field_twist(end_jet(edges[vertex.along_x], vertex.x), fx.value[vertex.x], fx.slope[vertex.x]),
+      field_twist(end_jet(edges[vertex.along_y], vertex.y), fy.value[vertex.y],
+                  fy.slope[vertex.y])};
 }
 
 template <class Real>
 void vertex_twist_pullback(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
-                           const CornerVertex& vertex, const VertexTwist<Real>& bar, TransitionEnd<Real>* edges_bar,
-                           CornerField<Real>* field_bar) {
+                           const CornerVertex& vertex, const VertexTwist<Real>& bar,
+                           TransitionEnd<Real>* edges_bar, CornerField<Real>* field_bar) {
   const auto one = [&](CornerEdge edge, int end, const Vec3<Real>& twist_bar) {
     EndJet<Real> jet_bar{};
-    field_twist_pullback(end_jet(edges[edge], end), field[edge].value[end], field[edge].slope[end], twist_bar, jet_bar,
-                         field_bar[edge].value[end], field_bar[edge].slope[end]);
+    field_twist_pullback(end_jet(edges[edge], end), field[edge].value[end], field[edge].slope[end],
+                         twist_bar, jet_bar, field_bar[edge].value[end],
+                         field_bar[edge].slope[end]);
     end_jet_pullback(end, jet_bar, edges_bar[edge]);
   };
   one(vertex.along_x, vertex.x, bar.from_x);

@@ -9,17 +9,22 @@ inline namespace BODYLINE_ISA_NAMESPACE {
 /// How many transitions meet, and whether a seam ends at the vertex (0,0).
 struct CornerShape {
   bool three_sided = false;  ///< the edge `top` is the apex: all points of its curve are equal
-  bool seam = false;         ///< the twists at (0,0) differ in their normal part: the face gets a Gregory term
+  bool seam =
+      false;  ///< the twists at (0,0) differ in their normal part: the face gets a Gregory term
 };
 
-/// Fields of all four edges. The top edge of a three-sided corner is V_y = (1-x) e_l + x e_r: not stored as a field.
+/// Fields of all four edges. The top edge of a three-sided corner is V_y = (1-x) e_l + x e_r: not
+/// stored as a field.
 template <class Real>
-void corner_fields(const CornerShape& shape, const TransitionEnd<Real>* edges, CornerField<Real>* field) {
+void corner_fields(const CornerShape& shape, const TransitionEnd<Real>* edges,
+                   CornerField<Real>* field) {
   for (const CornerVertex& vertex : corner_vertices) {
     if (shape.three_sided && vertex.y == 1) continue;
-    const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x), y = end_jet(edges[vertex.along_y], vertex.y);
+    const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
+                       y = end_jet(edges[vertex.along_y], vertex.y);
     CornerField<Real>&fx = field[vertex.along_x], &fy = field[vertex.along_y];
-    regular_vertex(x, y, fx.value[vertex.x], fx.slope[vertex.x], fy.value[vertex.y], fy.slope[vertex.y]);
+    regular_vertex(x, y, fx.value[vertex.x], fx.slope[vertex.x], fy.value[vertex.y],
+                   fy.slope[vertex.y]);
   }
   if (shape.three_sided) apex_vertex(edges, field);
 }
@@ -30,19 +35,22 @@ void corner_fields_pullback(const CornerShape& shape, const TransitionEnd<Real>*
                             TransitionEnd<Real>* edges_bar) {
   for (const CornerVertex& vertex : corner_vertices) {
     if (shape.three_sided && vertex.y == 1) continue;
-    const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x), y = end_jet(edges[vertex.along_y], vertex.y);
+    const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
+                       y = end_jet(edges[vertex.along_y], vertex.y);
     EndJet<Real> x_bar{}, y_bar{};
     const CornerField<Real>&fx = field[vertex.along_x], &fy = field[vertex.along_y];
     const CornerField<Real>&fx_bar = field_bar[vertex.along_x], &fy_bar = field_bar[vertex.along_y];
     regular_vertex_pullback(x, y, fx.value[vertex.x], fy.value[vertex.y], fx_bar.value[vertex.x],
-                            fx_bar.slope[vertex.x], fy_bar.value[vertex.y], fy_bar.slope[vertex.y], x_bar, y_bar);
+                            fx_bar.slope[vertex.x], fy_bar.value[vertex.y], fy_bar.slope[vertex.y],
+                            x_bar, y_bar);
     end_jet_pullback(vertex.x, x_bar, edges_bar[vertex.along_x]);
     end_jet_pullback(vertex.y, y_bar, edges_bar[vertex.along_y]);
   }
   if (shape.three_sided) apex_vertex_pullback(edges, field, field_bar, edges_bar);
 }
 
-/// Position in the bicubic patch W of the point that holds a vertex's twist, and of its three neighbours.
+/// Position in the bicubic patch W of the point that holds a vertex's twist, and of its three
+/// neighbours.
 struct TwistPlace {
   int at, along_x, along_y, vertex;  ///< indices [x * 4 + y]
   double sign;                       ///< of twist / 9
@@ -53,10 +61,11 @@ constexpr TwistPlace twist_place(const CornerVertex& vertex) {
   return {x * 4 + y, x * 4 + y0, x0 * 4 + y, x0 * 4 + y0, vertex.x == vertex.y ? 1.0 : -1.0};
 }
 
-/// The net (7 x 7, [x][y], y fastest) and the coefficient of the Gregory term of surface.hpp (zero without a seam).
+/// The net (7 x 7, [x][y], y fastest) and the coefficient of the Gregory term of surface.hpp (zero
+/// without a seam).
 template <class Real>
-void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, CornerTrace<Real>& trace, Vec3<Real>* net,
-                Vec3<Real>* blend) {
+void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges,
+                CornerTrace<Real>& trace, Vec3<Real>* net, Vec3<Real>* blend) {
   corner_fields(shape, edges, trace.field);
   // W: bicubic patch of the corner data. [x][y]
   Vec3<Real> w[16];
@@ -78,12 +87,15 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
     } else {
       const VertexTwist<Real> both = vertex_twist(edges, trace.field, vertex);
       twist = scaled(0.5, both.from_x + both.from_y);
-      if (shape.seam && vertex.x == 0 && vertex.y == 0) *blend = scaled(0.5, both.from_x - both.from_y);
+      if (shape.seam && vertex.x == 0 && vertex.y == 0)
+        *blend = scaled(0.5, both.from_x - both.from_y);
     }
     const TwistPlace place = twist_place(vertex);
-    w[place.at] = w[place.along_x] + w[place.along_y] - w[place.vertex] + scaled(place.sign / 9.0, twist);
+    w[place.at] =
+        w[place.along_x] + w[place.along_y] - w[place.vertex] + scaled(place.sign / 9.0, twist);
   }
-  // Inner rows in y of the patch that meets bottom and top, less W raised in x; whole rows in x for left and right.
+  // Inner rows in y of the patch that meets bottom and top, less W raised in x; whole rows in x for
+  // left and right.
   Vec3<Real> inner[2][7], field[7], inner_w[2][4];
   field_row(edges[bottom], trace.field[bottom], field);
   for (int k = 0; k < 4; ++k) inner_w[0][k] = edges[bottom].curve[k] - w[k * 4 + 1];
@@ -105,7 +117,8 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
   field_row(edges[right], trace.field[right], field_right);
   for (int l = 0; l < 7; ++l) {
     const Vec3<Real> across[4] = {raised_left[l], raised_left[l] + scaled(1.0 / 3.0, field[l]),
-                                  raised_right[l] - scaled(1.0 / 3.0, field_right[l]), raised_right[l]};
+                                  raised_right[l] - scaled(1.0 / 3.0, field_right[l]),
+                                  raised_right[l]};
     Vec3<Real> column[7];
     elevate<3, 3>(across, column);
     for (int k = 0; k < 7; ++k) net[k * 7 + l] = column[k];
@@ -119,9 +132,11 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges, Corn
 
 /// Pullback of corner_net: adds to the adjoints of the edges.
 template <class Real>
-void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* edges, const CornerTrace<Real>& trace,
-                         const Vec3<Real>* net_bar, const Vec3<Real>& blend_bar, TransitionEnd<Real>* edges_bar) {
-  Vec3<Real> inner_bar[2][7], left_bar[7], right_bar[7], field_bar[7], field_right_bar[7], w_bar[16] = {};
+void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* edges,
+                         const CornerTrace<Real>& trace, const Vec3<Real>* net_bar,
+                         const Vec3<Real>& blend_bar, TransitionEnd<Real>* edges_bar) {
+  Vec3<Real> inner_bar[2][7], left_bar[7], right_bar[7], field_bar[7], field_right_bar[7],
+      w_bar[16] = {};
   for (int k = 0; k < 7; ++k) {
     const Vec3<Real>* row_bar = net_bar + k * 7;
     Vec3<Real> first{}, second{};
@@ -141,7 +156,8 @@ void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* ed
   }
   CornerField<Real> fields_bar[4] = {};
   field_row_pullback(edges[left], trace.field[left], field_bar, edges_bar[left], fields_bar[left]);
-  field_row_pullback(edges[right], trace.field[right], field_right_bar, edges_bar[right], fields_bar[right]);
+  field_row_pullback(edges[right], trace.field[right], field_right_bar, edges_bar[right],
+                     fields_bar[right]);
   elevate_pullback<3, 3>(left_bar, edges_bar[left].curve);
   elevate_pullback<3, 3>(right_bar, edges_bar[right].curve);
   for (int side = 0; side < 2; ++side) {
@@ -153,7 +169,8 @@ void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* ed
     }
   }
   for (int k = 0; k < 7; ++k) field_bar[k] = scaled(1.0 / 3.0, inner_bar[0][k]);
-  field_row_pullback(edges[bottom], trace.field[bottom], field_bar, edges_bar[bottom], fields_bar[bottom]);
+  field_row_pullback(edges[bottom], trace.field[bottom], field_bar, edges_bar[bottom],
+                     fields_bar[bottom]);
   for (int k = 0; k < 7; ++k) field_bar[k] = scaled(-1.0 / 3.0, inner_bar[1][k]);
   Vec3<Real> ends_bar[2] = {};  // of the two end tangents at an apex
   if (shape.three_sided) {

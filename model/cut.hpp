@@ -8,7 +8,8 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// One more factor (1 - t + t E) on the row of a polynomial in E that has `count` coefficients; `row` may be `raised`.
+/// One more factor (1 - t + t E) on the row of a polynomial in E that has `count` coefficients;
+/// `row` may be `raised`.
 template <class Real>
 void raise_cut_row(int count, const Real& t, const Real* row, Real* raised) {
   const Real rest = Real(1.0) - t;
@@ -24,14 +25,16 @@ template <class Real>
 void cut_matrix(int n, const Real& lo, const Real& hi, Real* matrix) {
   matrix[0] = Real(1.0);
   for (int p = 1; p <= n; ++p) {
-    for (int j = p; j > 0; --j) raise_cut_row(p, hi, matrix + (j - 1) * (n + 1), matrix + j * (n + 1));
+    for (int j = p; j > 0; --j)
+      raise_cut_row(p, hi, matrix + (j - 1) * (n + 1), matrix + j * (n + 1));
     raise_cut_row(p, lo, matrix, matrix);
   }
 }
 
 /// kept = in_u net in_v^T, nets of (m + 1) x (n + 1) points, matrices as cut_matrix makes them.
 template <class Real>
-void cut(int m, int n, const Real* in_u, const Real* in_v, const Vec3<Real>* net, Vec3<Real>* kept) {
+void cut(int m, int n, const Real* in_u, const Real* in_v, const Vec3<Real>* net,
+         Vec3<Real>* kept) {
   const int stride = n + 1;
   for (int i = 0; i <= m; ++i) {
     Vec3<Real> half[max_patch_degree + 1];
@@ -76,12 +79,13 @@ struct CutBar {
   Real u_lo, u_hi, v_lo, v_hi;
 };
 
-/// Adjoint of the range of a patch's cuts, from the kept net alone; `length_u` and `length_v` are the lengths of the
-/// ranges. With t the kept piece's own parameter from 0 to 1, moving lo moves the piece S by (1 - t) dS/dt / length,
-/// moving hi by t dS/dt / length: both are of the piece's own degree.
+/// Adjoint of the range of a patch's cuts, from the kept net alone; `length_u` and `length_v` are
+/// the lengths of the ranges. With t the kept piece's own parameter from 0 to 1, moving lo moves
+/// the piece S by (1 - t) dS/dt / length, moving hi by t dS/dt / length: both are of the piece's
+/// own degree.
 template <class Real>
-CutBar<Real> cut_range_pullback(int m, int n, const Real& length_u, const Real& length_v, const Vec3<Real>* kept,
-                                const Vec3<Real>* kept_bar) {
+CutBar<Real> cut_range_pullback(int m, int n, const Real& length_u, const Real& length_v,
+                                const Vec3<Real>* kept, const Vec3<Real>* kept_bar) {
   const int stride = n + 1;
   CutBar<Real> bar{Real{}, Real{}, Real{}, Real{}};
   for (int i = 0; i < m; ++i) {

@@ -111,7 +111,9 @@ template <int P, int Q, class Real>
 void multiply(const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
   unrolled<0, P + Q>([&](auto k) {
     constexpr int first = k > Q ? k - Q : 0, last = k < P ? k : P;
-    const auto term = [&](auto i) { return (Real(product<P, Q>.weight[i][k - i]) * factor[i]) * row[k - i]; };
+    const auto term = [&](auto i) {
+      return (Real(product<P, Q>.weight[i][k - i]) * factor[i]) * row[k - i];
+    };
     Vec3<Real> sum = term(Index<first>{});
     unrolled<first + 1, last>([&](auto i) { sum += term(i); });
     product_row[k] = sum;
@@ -131,13 +133,15 @@ void multiply_pullback(const Real* factor, const Vec3<Real>* row, const Vec3<Rea
   });
 }
 
-/// product_row (q + 2 points) = factor (scalar, linear) times row (degree q), q <= max_patch_degree.
+/// product_row (q + 2 points) = factor (scalar, linear) times row (degree q), q <=
+/// max_patch_degree.
 template <class Real>
 void multiply_linear(int q, const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
   const double *share = fractions.value[q + 1], *rest = fractions.rest[q + 1];
   product_row[0] = factor[0] * row[0];
   for (int k = 1; k <= q; ++k) {
-    product_row[k] = (Real(rest[k]) * factor[0]) * row[k] + (Real(share[k]) * factor[1]) * row[k - 1];
+    product_row[k] =
+        (Real(rest[k]) * factor[0]) * row[k] + (Real(share[k]) * factor[1]) * row[k - 1];
   }
   product_row[q + 1] = factor[1] * row[q];
 }
@@ -152,7 +156,8 @@ void multiply_linear_pullback(int q, const Real* factor, const Vec3<Real>* row,
     const Real weight0(rest[j]), weight1(share[j + 1]);
     factor_bar[0] += weight0 * dot(row[j], product_bar[j]);
     factor_bar[1] += weight1 * dot(row[j], product_bar[j + 1]);
-    row_bar[j] += (weight0 * factor[0]) * product_bar[j] + (weight1 * factor[1]) * product_bar[j + 1];
+    row_bar[j] +=
+        (weight0 * factor[0]) * product_bar[j] + (weight1 * factor[1]) * product_bar[j + 1];
   }
 }
 

@@ -14,17 +14,18 @@ namespace bodyline::model {
 namespace {
 
 constexpr double square_metre = 1e6;  // mm^2
-// Every face counts twice: side faces for their mirror images, central faces because only their left half is summed.
+// Every face counts twice: side faces for their mirror images, central faces because only their
+// left half is summed.
 constexpr double both_halves = 2.0;
 constexpr int numbers_per_point = 3;
 
 // What is summed on one face: which terms, with which quadrature.
 struct FaceWork {
   const FaceRule* rule = nullptr;
-  int net = 0, blend = -1;      // offsets in numbers
-  std::vector<int> terms;       // indices into options.terms
-  std::vector<int> slots;       // where each term's value of this face goes
-  int area_slot = -1;           // also sum the area, for the product in the variation term
+  int net = 0, blend = -1;  // offsets in numbers
+  std::vector<int> terms;   // indices into options.terms
+  std::vector<int> slots;   // where each term's value of this face goes
+  int area_slot = -1;       // also sum the area, for the product in the variation term
 };
 
 Range range_of(const Face& face) {
@@ -37,7 +38,9 @@ bool on_faces(TermKind kind) { return kind != TermKind::closeness; }
 }  // namespace
 
 BodyContext::BodyContext(const Model& model, const VariableBounds& bounds)
-    : plan(plan_body(model)), map(model, plan.links, bounds), parameters(to_parameters(model, plan.layout)) {}
+    : plan(plan_body(model)),
+      map(model, plan.links, bounds),
+      parameters(to_parameters(model, plan.layout)) {}
 
 struct Evaluator::State {
   State(std::shared_ptr<const BodyContext> shared, std::vector<int> chosen, EvaluatorOptions given)
@@ -80,12 +83,12 @@ struct Evaluator::State {
   Stage stage = Stage::base;
   std::map<std::tuple<int, int, Range, bool>, FaceTables> tables;
   std::vector<FaceWork> work;
-  std::vector<double> slots;                          // value of each term on each face
-  std::vector<std::pair<int, int>> term_slots;        // begin, end of each term
+  std::vector<double> slots;                    // value of each term on each face
+  std::vector<std::pair<int, int>> term_slots;  // begin, end of each term
   std::pair<int, int> area_slots{0, 0};
-  std::vector<std::vector<const FaceWork*>> shares;   // of each member of the team
+  std::vector<std::vector<const FaceWork*>> shares;  // of each member of the team
   bool has_variation = false;
-  std::vector<double> variation_bar, area_bar;        // of all nets, before the factors of the product
+  std::vector<double> variation_bar, area_bar;  // of all nets, before the factors of the product
   Team team;
 };
 
@@ -94,7 +97,8 @@ const FaceRule* Evaluator::State::rule_for(const Face& face) {
   const auto found = tables.find(key);
   if (found != tables.end()) return &found->second.rule();
   return &tables
-              .try_emplace(key, face.degree_u, face.degree_v, options.nodes, range_of(face), face.blend >= 0)
+              .try_emplace(key, face.degree_u, face.degree_v, options.nodes, range_of(face),
+                           face.blend >= 0)
               .first->second.rule();
 }
 
@@ -116,17 +120,17 @@ void Evaluator::State::plan_work() {
       std::vector<std::string> names;
       for (const Face& face : context->plan.faces(term.stage)) {
         names.push_back(face.name);
-        const bool chosen = term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
-                              return name_matches(p, face.name);
-                            });
+        const bool chosen = term.faces.empty() ||
+                            std::any_of(term.faces.begin(), term.faces.end(),
+                                        [&](const auto& p) { return name_matches(p, face.name); });
         if (!chosen) continue;
         FaceWork& entry = work_of(face);
         entry.terms.push_back(t);
         entry.slots.push_back(slot++);
       }
       if (slot == first) {
-        throw std::invalid_argument("no face of stage " + std::string(stage_name(term.stage)) + " matches \"" +
-                                    term.faces.front() + "\"; the nearest is \"" +
+        throw std::invalid_argument("no face of stage " + std::string(stage_name(term.stage)) +
+                                    " matches \"" + term.faces.front() + "\"; the nearest is \"" +
                                     nearest_name(term.faces.front(), names) + "\"");
       }
     }
@@ -151,8 +155,10 @@ void Evaluator::State::plan_shares() {
   std::vector<const FaceWork*> order;
   for (const FaceWork& w : work) order.push_back(&w);
   const auto cost = [](const FaceWork* w) {
-    constexpr int nodes = 40;  // the part of a face's cost that its degrees do not change, in points of a net
-    return (nodes + (w->rule->degree_u + 1) * (w->rule->degree_v + 1)) * int(w->terms.size() + (w->area_slot >= 0));
+    constexpr int nodes =
+        40;  // the part of a face's cost that its degrees do not change, in points of a net
+    return (nodes + (w->rule->degree_u + 1) * (w->rule->degree_v + 1)) *
+           int(w->terms.size() + (w->area_slot >= 0));
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return cost(a) > cost(b); });
   shares.resize(team.size());
@@ -167,9 +173,11 @@ void Evaluator::State::plan_shares() {
 void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
   const double* points = nets() + w.net;
   const double* blend = w.blend >= 0 ? nets() + w.blend : nullptr;
-  const auto value = [&](Kernels::Value plain, Kernels::Pullback pullback, double seed, double* bars) {
+  const auto value = [&](Kernels::Value plain, Kernels::Pullback pullback, double seed,
+                         double* bars) {
     if (!with_gradient) return plain(*w.rule, points, blend);
-    return pullback(*w.rule, points, blend, seed, bars + w.net, w.blend >= 0 ? bars + w.blend : nullptr);
+    return pullback(*w.rule, points, blend, seed, bars + w.net,
+                    w.blend >= 0 ? bars + w.blend : nullptr);
   };
   for (std::size_t k = 0; k < w.terms.size(); ++k) {
     const Term& term = options.terms[w.terms[k]];
@@ -180,13 +188,16 @@ void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
         slot = value(kernel->bending, kernel->bending_pullback, seed, nets_bar());
         break;
       case TermKind::variation:
-        slot = value(kernel->variation, kernel->variation_pullback, both_halves, variation_bar.data());
+        slot =
+            value(kernel->variation, kernel->variation_pullback, both_halves, variation_bar.data());
         break;
       case TermKind::area:
-        slot = value(kernel->area, kernel->area_pullback, seed / square_metre, nets_bar()) / square_metre;
+        slot = value(kernel->area, kernel->area_pullback, seed / square_metre, nets_bar()) /
+               square_metre;
         break;
       case TermKind::fold:
-        slot = with_gradient ? kernel->fold_pullback(*w.rule, points, blend, options.fold, seed, nets_bar() + w.net,
+        slot = with_gradient ? kernel->fold_pullback(*w.rule, points, blend, options.fold, seed,
+                                                     nets_bar() + w.net,
                                                      w.blend >= 0 ? nets_bar() + w.blend : nullptr)
                              : kernel->fold(*w.rule, points, blend, options.fold);
         break;
@@ -194,7 +205,8 @@ void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
         break;
     }
   }
-  if (w.area_slot >= 0) slots[w.area_slot] = value(kernel->area, kernel->area_pullback, both_halves, area_bar.data());
+  if (w.area_slot >= 0)
+    slots[w.area_slot] = value(kernel->area, kernel->area_pullback, both_halves, area_bar.data());
 }
 
 // Every face writes only its own slots and adjoints, so that the shares do not change the result.
@@ -256,8 +268,10 @@ void Evaluator::State::clear_adjoints() {
   std::fill(area_bar.begin(), area_bar.end(), 0.0);
 }
 
-Evaluator::Evaluator(std::shared_ptr<const BodyContext> context, std::vector<int> selected, EvaluatorOptions options)
-    : state_(std::make_unique<State>(std::move(context), std::move(selected), std::move(options))) {}
+Evaluator::Evaluator(std::shared_ptr<const BodyContext> context, std::vector<int> selected,
+                     EvaluatorOptions options)
+    : state_(std::make_unique<State>(std::move(context), std::move(selected), std::move(options))) {
+}
 Evaluator::~Evaluator() = default;
 Evaluator::Evaluator(Evaluator&&) noexcept = default;
 Evaluator& Evaluator::operator=(Evaluator&&) noexcept = default;
@@ -277,7 +291,8 @@ Eigen::VectorXd Evaluator::start() const {
 
 void Evaluator::build(const Eigen::VectorXd& x) {
   State& s = *state_;
-  if (x.size() != size()) throw std::invalid_argument("an evaluator was given a vector of the wrong size");
+  if (x.size() != size())
+    throw std::invalid_argument("an evaluator was given a vector of the wrong size");
   s.context->map.scatter(s.selected, x, s.parameters);
   s.builder->build(s.parameters.data(), s.stage);
 }

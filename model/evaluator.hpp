@@ -13,9 +13,9 @@
 namespace bodyline::model {
 
 struct EvaluatorOptions {
-  std::vector<Term> terms;            ///< weighted sum to evaluate
-  int nodes = 8;                      ///< Gauss nodes per direction on each face, a multiple of 8
-  int threads = 1;                    ///< within one evaluation; results have the same bits for any number
+  std::vector<Term> terms;  ///< weighted sum to evaluate
+  int nodes = 8;            ///< Gauss nodes per direction on each face, a multiple of 8
+  int threads = 1;          ///< within one evaluation; results have the same bits for any number
   FoldOptions fold;
   Isa isa = best_isa();
 };
@@ -28,23 +28,25 @@ struct BodyContext {
   Eigen::VectorXd parameters;  ///< of the model itself: the start
 };
 
-/// Design variables to objective and exact gradient. After construction no call allocates. With threads > 1 each evaluator
-/// has threads of its own. One evaluator serves one thread at a time; make one per thread for sweeps.
+/// Design variables to objective and exact gradient. After construction no call allocates. With
+/// threads > 1 each evaluator has threads of its own. One evaluator serves one thread at a time;
+/// make one per thread for sweeps.
 class Evaluator {
  public:
-  /// `selected` are indices into context->map.variables(). Throws std::invalid_argument when a term's face pattern
-  /// matches nothing or `nodes` is not allowed.
-  Evaluator(std::shared_ptr<const BodyContext> context, std::vector<int> selected, EvaluatorOptions options);
+  /// `selected` are indices into context->map.variables(). Throws std::invalid_argument when a
+  /// term's face pattern matches nothing or `nodes` is not allowed.
+  Evaluator(std::shared_ptr<const BodyContext> context, std::vector<int> selected,
+            EvaluatorOptions options);
   ~Evaluator();
   Evaluator(Evaluator&&) noexcept;
   Evaluator& operator=(Evaluator&&) noexcept;
 
-  int size() const;                       ///< number of selected variables
+  int size() const;  ///< number of selected variables
   const std::vector<int>& selected() const;
   const BodyContext& context() const;
   std::shared_ptr<const BodyContext> shared_context() const;
   const EvaluatorOptions& options() const;
-  Eigen::VectorXd start() const;          ///< the model's own values of the selected variables
+  Eigen::VectorXd start() const;  ///< the model's own values of the selected variables
 
   /// Weighted sum of all terms at x; with a gradient (size() entries, overwritten) when not null.
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
@@ -56,7 +58,8 @@ class Evaluator {
   const Eigen::VectorXd& parameters() const;
   const double* nets() const;
 
-  /// Only the stage variables -> nets, and its adjoint; for measurements and for terms outside this class.
+  /// Only the stage variables -> nets, and its adjoint; for measurements and for terms outside this
+  /// class.
   void build(const Eigen::VectorXd& x);
   void build_pullback(const std::vector<double>& nets_bar, Eigen::VectorXd& gradient);
 

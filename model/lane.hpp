@@ -3,8 +3,9 @@
 #include "model/kernel_lanes.hpp"
 #include "model/packs.hpp"
 
-/// A number of several lanes: one double of each of `lanes` steps of the same kind, so that the templates of the stages
-/// build several faces at once. Only for sources that are compiled once per instruction set.
+/// A number of several lanes: one double of each of `lanes` steps of the same kind, so that the
+/// templates of the stages build several faces at once. Only for sources that are compiled once per
+/// instruction set.
 namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
 
 struct Lane {
@@ -35,7 +36,8 @@ BODYLINE_INLINE Lane sqrt(Lane a) {
 #endif
 }
 
-BODYLINE_INLINE Lane where_at_least(const Lane& x, const Lane& floor, const Lane& yes, const Lane& no) {
+BODYLINE_INLINE Lane where_at_least(const Lane& x, const Lane& floor, const Lane& yes,
+                                    const Lane& no) {
   return Lane(x.v >= floor.v ? yes.v : no.v);
 }
 
@@ -50,7 +52,8 @@ BODYLINE_INLINE Lanes join(const double* low, const double* high) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Points of eight lanes as x, y, z and a fourth number, those of lanes l and l + 4 side by side in [l].
+/// Points of eight lanes as x, y, z and a fourth number, those of lanes l and l + 4 side by side in
+/// [l].
 struct Transposed {
   Lanes of[4];
 };
@@ -120,7 +123,8 @@ struct Pack<isa::BODYLINE_ISA_NAMESPACE::Lane> {
   BODYLINE_INLINED static Lane read(const double* array, const int* at, int shift) {
     const double* p = array + shift;
 #if defined(__AVX512F__)
-    return Lane(Lanes{p[at[0]], p[at[1]], p[at[2]], p[at[3]], p[at[4]], p[at[5]], p[at[6]], p[at[7]]});
+    return Lane(
+        Lanes{p[at[0]], p[at[1]], p[at[2]], p[at[3]], p[at[4]], p[at[5]], p[at[6]], p[at[7]]});
 #elif defined(__AVX2__)
     return Lane(Lanes{p[at[0]], p[at[1]], p[at[2]], p[at[3]]});
 #else
@@ -128,7 +132,8 @@ struct Pack<isa::BODYLINE_ISA_NAMESPACE::Lane> {
 #endif
   }
 
-  BODYLINE_INLINED static void add(double* array, const int* at, int shift, int count, const Lane& value) {
+  BODYLINE_INLINED static void add(double* array, const int* at, int shift, int count,
+                                   const Lane& value) {
 #pragma GCC unroll 8
     for (int l = 0; l < lanes; ++l) {
       if (l >= count) return;
@@ -160,7 +165,8 @@ struct Pack<isa::BODYLINE_ISA_NAMESPACE::Lane> {
   }
 
   /// Lanes that repeat a step write the same point again.
-  BODYLINE_INLINED static void write_point(double* array, const int* at, int shift, const Vec3<Lane>& value) {
+  BODYLINE_INLINED static void write_point(double* array, const int* at, int shift,
+                                           const Vec3<Lane>& value) {
     each_point(value, lanes, [&](int l, Pair xy, double z) BODYLINE_INLINED {
       double* p = array + at[l] + shift;
       __builtin_memcpy(p, &xy, sizeof xy);
@@ -168,14 +174,16 @@ struct Pack<isa::BODYLINE_ISA_NAMESPACE::Lane> {
     });
   }
 
-  BODYLINE_INLINED static void read_net(const double* array, const int* at, int points, Vec3<Lane>* net) {
+  BODYLINE_INLINED static void read_net(const double* array, const int* at, int points,
+                                        Vec3<Lane>* net) {
     Lane* out = &net->x;
     const int blocks = 3 * points / lanes;
     for (int b = 0; b < blocks; ++b) {
       const int first = b * lanes;
       Lanes block[lanes];
 #pragma GCC unroll 8
-      for (int l = 0; l < lanes; ++l) block[l] = isa::BODYLINE_ISA_NAMESPACE::load(array + at[l] + first);
+      for (int l = 0; l < lanes; ++l)
+        block[l] = isa::BODYLINE_ISA_NAMESPACE::load(array + at[l] + first);
       isa::BODYLINE_ISA_NAMESPACE::transpose_block(block);
 #pragma GCC unroll 8
       for (int k = 0; k < lanes; ++k) out[first + k] = Lane(block[k]);
@@ -183,7 +191,8 @@ struct Pack<isa::BODYLINE_ISA_NAMESPACE::Lane> {
     for (int k = blocks * lanes; k < 3 * points; ++k) out[k] = read(array, at, k);
   }
 
-  BODYLINE_INLINED static void write_net(double* array, const int* at, int points, const Vec3<Lane>* net) {
+  BODYLINE_INLINED static void write_net(double* array, const int* at, int points,
+                                         const Vec3<Lane>* net) {
     const Lane* in = &net->x;
     const int blocks = 3 * points / lanes;
     for (int b = 0; b < blocks; ++b) {
@@ -193,14 +202,16 @@ struct Pack<isa::BODYLINE_ISA_NAMESPACE::Lane> {
       for (int k = 0; k < lanes; ++k) block[k] = in[first + k].v;
       isa::BODYLINE_ISA_NAMESPACE::transpose_block(block);
 #pragma GCC unroll 8
-      for (int l = 0; l < lanes; ++l) isa::BODYLINE_ISA_NAMESPACE::store(array + at[l] + first, block[l]);
+      for (int l = 0; l < lanes; ++l)
+        isa::BODYLINE_ISA_NAMESPACE::store(array + at[l] + first, block[l]);
     }
     for (int k = blocks * lanes; k < 3 * points; ++k) {
       for (int l = 0; l < lanes; ++l) array[at[l] + k] = in[k].v[l];
     }
   }
 
-  BODYLINE_INLINED static void add_point(double* array, const int* at, int shift, int count, const Vec3<Lane>& value) {
+  BODYLINE_INLINED static void add_point(double* array, const int* at, int shift, int count,
+                                         const Vec3<Lane>& value) {
     each_point(value, count, [&](int l, Pair xy, double z) BODYLINE_INLINED {
       double* p = array + at[l] + shift;
       Pair sum;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-/// The body as a user describes it: named patches that share boundary curves, and the values that shape them.
-/// Only the left half and the central patches are stored; the right half is the mirror image in y.
-/// Lengths are in mm. Section numbers are those of docs/mathematics.md.
+/// The body as a user describes it: named patches that share boundary curves, and the values that
+/// shape them. Only the left half and the central patches are stored; the right half is the mirror
+/// image in y. Lengths are in mm. Section numbers are those of docs/mathematics.md.
 namespace bodyline::model {
 
 /// A side of a patch is an isoline of its parameters: `u0` is u = 0 and runs along v, and so on.
@@ -53,13 +53,15 @@ struct PatchSide {
   friend bool operator==(const PatchSide&, const PatchSide&) = default;
 };
 
-/// A curve along which two patches are cut back and joined by a transition. `a` gives the direction.
+/// A curve along which two patches are cut back and joined by a transition. `a` gives the
+/// direction.
 struct Joint {
   std::string name;  ///< the curve's name
   PatchSide a, b;
   std::array<double, 2> fullness{1.5, 1.5};  ///< of side a and of side b, in (0, 3)
-  /// lean[side][end]: sideways move of the transition's handle at that end, inwards along the joint, as a
-  /// multiple of the handle's own length. Not zero only on the seam side of a pillar foot (section 8).
+  /// lean[side][end]: sideways move of the transition's handle at that end, inwards along the
+  /// joint, as a multiple of the handle's own length. Not zero only on the seam side of a pillar
+  /// foot (section 8).
   std::array<std::array<double, 2>, 2> lean{};
   std::optional<int> uncut;  ///< 0 when patch a, 1 when patch b is not cut back (section 6)
   std::string note;
@@ -75,7 +77,7 @@ struct Seam {
 struct Corner {
   std::string name;
   std::vector<int> patches;  ///< in cyclic order around the point
-  int apex = -1;             ///< three joints only: the patch at whose kept corner the corner patch closes
+  int apex = -1;  ///< three joints only: the patch at whose kept corner the corner patch closes
 };
 
 /// The curves that bound a wheel arch; the wheelbase is the distance between the arches' centres.

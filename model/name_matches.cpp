@@ -5,7 +5,8 @@
 namespace bodyline::model {
 namespace {
 
-// A set such as [1-2] or [013]: digits and ranges only, more than a single digit. Returns its length or 0.
+// A set such as [1-2] or [013]: digits and ranges only, more than a single digit. Returns its
+// length or 0.
 std::size_t digit_set_length(const std::string& pattern, std::size_t at) {
   const std::size_t close = pattern.find(']', at);
   if (close == std::string::npos || close - at < 3) return 0;
@@ -28,7 +29,8 @@ bool in_digit_set(const std::string& pattern, std::size_t at, std::size_t length
 }
 
 // Matches pattern[p..] against name[n..]; `*` by recursion, so the depth is the number of stars.
-bool matches_from(const std::string& pattern, std::size_t p, const std::string& name, std::size_t n) {
+bool matches_from(const std::string& pattern, std::size_t p, const std::string& name,
+                  std::size_t n) {
   while (p < pattern.size()) {
     const char c = pattern[p];
     if (c == '*') {
@@ -54,6 +56,8 @@ bool matches_from(const std::string& pattern, std::size_t p, const std::string& 
 
 }  // namespace
 
-bool name_matches(const std::string& pattern, const std::string& name) { return matches_from(pattern, 0, name, 0); }
+bool name_matches(const std::string& pattern, const std::string& name) {
+  return matches_from(pattern, 0, name, 0);
+}
 
 }  // namespace bodyline::model

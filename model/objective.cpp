@@ -7,11 +7,12 @@
 namespace bodyline::model {
 namespace {
 
-constexpr std::array<std::pair<TermKind, const char*>, 5> names{{{TermKind::bending, "bending"},
-                                                                 {TermKind::variation, "variation"},
-                                                                 {TermKind::area, "area"},
-                                                                 {TermKind::fold, "fold"},
-                                                                 {TermKind::closeness, "closeness"}}};
+constexpr std::array<std::pair<TermKind, const char*>, 5> names{
+    {{TermKind::bending, "bending"},
+     {TermKind::variation, "variation"},
+     {TermKind::area, "area"},
+     {TermKind::fold, "fold"},
+     {TermKind::closeness, "closeness"}}};
 
 }  // namespace
 

@@ -6,14 +6,16 @@
 #include "model/kernels.hpp"
 #include "model/surface.hpp"
 
-/// What an evaluator sums up (docs/mathematics.md, section 9). Values are those of the whole body, both sides.
+/// What an evaluator sums up (docs/mathematics.md, section 9). Values are those of the whole body,
+/// both sides.
 namespace bodyline::model {
 
 enum class TermKind {
   bending,    ///< integral of (k1^2 + k2^2) dA; no unit
   variation,  ///< integral of |grad_S H|^2 dA times the area of the stage's faces; no unit
   area,       ///< area, m^2
-  fold,       ///< barrier against folded faces: sum over faces of the mean penalty at their nodes; no unit
+  fold,  ///< barrier against folded faces: sum over faces of the mean penalty at their nodes; no
+         ///< unit
   closeness,  ///< mean squared distance of the base nets' points from those of the start, mm^2
 };
 

@@ -3,7 +3,8 @@
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
-/// How a number type of several lanes reads and writes arrays of plain numbers. This is the case of one lane.
+/// How a number type of several lanes reads and writes arrays of plain numbers. This is the case of
+/// one lane.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -30,7 +31,9 @@ struct Pack {
     for (int k = 0; k < points; ++k) write_point(array, at, 3 * k, net[k]);
   }
   /// Adds the first `count` lanes.
-  static void add(Number* array, const int* at, int shift, int, const Real& value) { array[at[0] + shift] += value; }
+  static void add(Number* array, const int* at, int shift, int, const Real& value) {
+    array[at[0] + shift] += value;
+  }
   static void add_point(Number* array, const int* at, int shift, int, const Vec3<Real>& value) {
     Number* p = array + at[0] + shift;
     p[0] += value.x, p[1] += value.y, p[2] += value.z;

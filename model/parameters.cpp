@@ -14,8 +14,10 @@ void visit_numbers(ModelType& model, const ParameterLayout& layout, const Visit&
   }
   for (int p = 0; p < int(model.patches.size()); ++p) {
     auto& patch = model.patches[p];
-    for (int k = 0; k < int(patch.shape_u.size()); ++k) visit(layout.shape_u(p, k), patch.shape_u[k]);
-    for (int k = 0; k < int(patch.shape_v.size()); ++k) visit(layout.shape_v(p, k), patch.shape_v[k]);
+    for (int k = 0; k < int(patch.shape_u.size()); ++k)
+      visit(layout.shape_u(p, k), patch.shape_u[k]);
+    for (int k = 0; k < int(patch.shape_v.size()); ++k)
+      visit(layout.shape_v(p, k), patch.shape_v[k]);
     for (int k = 0; k < 2; ++k) {
       visit(layout.cut(p) + k, patch.cut_u[k]);
       visit(layout.cut(p) + 2 + k, patch.cut_v[k]);
@@ -63,7 +65,8 @@ std::vector<std::string> parameter_names(const Model& model, const ParameterLayo
   for (int c = 0; c < int(model.curves.size()); ++c) {
     for (int k = 0; k < int(model.curves[c].points.size()); ++k) {
       for (int axis = 0; axis < 3; ++axis) {
-        names[layout.point(c, k) + axis] = "curve." + model.curves[c].name + index(k) + "." + "xyz"[axis];
+        names[layout.point(c, k) + axis] =
+            "curve." + model.curves[c].name + index(k) + "." + "xyz"[axis];
       }
     }
   }
@@ -82,7 +85,8 @@ std::vector<std::string> parameter_names(const Model& model, const ParameterLayo
     for (int side = 0; side < 2; ++side) {
       const std::string end_name = model.joints[j].name + (side == 0 ? ".a" : ".b");
       names[layout.fullness(j, side)] = "fullness." + end_name;
-      for (int end = 0; end < 2; ++end) names[layout.lean(j, side, end)] = "lean." + end_name + index(end);
+      for (int end = 0; end < 2; ++end)
+        names[layout.lean(j, side, end)] = "lean." + end_name + index(end);
     }
   }
   return names;
@@ -90,12 +94,15 @@ std::vector<std::string> parameter_names(const Model& model, const ParameterLayo
 
 Eigen::VectorXd to_parameters(const Model& model, const ParameterLayout& layout) {
   Eigen::VectorXd parameters(layout.size());
-  visit_numbers(model, layout, [&](int parameter, double number) { parameters[parameter] = number; });
+  visit_numbers(model, layout,
+                [&](int parameter, double number) { parameters[parameter] = number; });
   return parameters;
 }
 
-void set_parameters(Model& model, const ParameterLayout& layout, const Eigen::VectorXd& parameters) {
-  visit_numbers(model, layout, [&](int parameter, double& number) { number = parameters[parameter]; });
+void set_parameters(Model& model, const ParameterLayout& layout,
+                    const Eigen::VectorXd& parameters) {
+  visit_numbers(model, layout,
+                [&](int parameter, double& number) { number = parameters[parameter]; });
 }
 
 }  // namespace bodyline::model

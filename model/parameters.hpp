@@ -6,7 +6,8 @@
 
 #include "model/model.hpp"
 
-/// All numbers of a model in one flat vector, before any ties. Variables (variables.hpp) are what may change freely.
+/// All numbers of a model in one flat vector, before any ties. Variables (variables.hpp) are what
+/// may change freely.
 namespace bodyline::model {
 
 enum class ParameterKind { curve, shape, cut, fullness, lean };
@@ -20,7 +21,9 @@ class ParameterLayout {
   /// First of the three coordinates of a curve's point.
   int point(int curve, int index) const { return curves_[curve] + 3 * index; }
   int shape_u(int patch, int index) const { return shapes_[patch] + index; }
-  int shape_v(int patch, int index) const { return shapes_[patch] + shape_u_counts_[patch] + index; }
+  int shape_v(int patch, int index) const {
+    return shapes_[patch] + shape_u_counts_[patch] + index;
+  }
   /// u_lo, u_hi, v_lo, v_hi are consecutive.
   int cut(int patch) const { return cuts_ + 4 * patch; }
   int fullness(int joint, int side) const { return fullness_ + 2 * joint + side; }
@@ -33,7 +36,8 @@ class ParameterLayout {
   int first_shape_ = 0, cuts_ = 0, fullness_ = 0, leans_ = 0, size_ = 0;
 };
 
-/// Names of all parameters: curve.NAME[k].x, shape.PATCH.u[k], cut.PATCH.u_lo, fullness.JOINT.a, lean.JOINT.b[end].
+/// Names of all parameters: curve.NAME[k].x, shape.PATCH.u[k], cut.PATCH.u_lo, fullness.JOINT.a,
+/// lean.JOINT.b[end].
 std::vector<std::string> parameter_names(const Model& model, const ParameterLayout& layout);
 
 /// The model's numbers, layout.size() of them.

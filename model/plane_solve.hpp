@@ -14,7 +14,8 @@ struct PlaneCoordinates {
 
 /// Least-squares solution of p first + q second = target.
 template <class Real>
-PlaneCoordinates<Real> plane_solve(const Vec3<Real>& first, const Vec3<Real>& second, const Vec3<Real>& target) {
+PlaneCoordinates<Real> plane_solve(const Vec3<Real>& first, const Vec3<Real>& second,
+                                   const Vec3<Real>& target) {
   const Real a = dot(first, first), b = dot(first, second), c = dot(second, second);
   const Real h = dot(first, target), k = dot(second, target);
   const Real inverse = Real(1.0) / (a * c - b * b);
@@ -23,8 +24,9 @@ PlaneCoordinates<Real> plane_solve(const Vec3<Real>& first, const Vec3<Real>& se
 
 /// Pullback of plane_solve: adds to the adjoints of its three vectors.
 template <class Real>
-void plane_solve_pullback(const Vec3<Real>& first, const Vec3<Real>& second, const Vec3<Real>& target,
-                          const PlaneCoordinates<Real>& at, const PlaneCoordinates<Real>& bar, Vec3<Real>& first_bar,
+void plane_solve_pullback(const Vec3<Real>& first, const Vec3<Real>& second,
+                          const Vec3<Real>& target, const PlaneCoordinates<Real>& at,
+                          const PlaneCoordinates<Real>& bar, Vec3<Real>& first_bar,
                           Vec3<Real>& second_bar, Vec3<Real>& target_bar) {
   const Real a = dot(first, first), b = dot(first, second), c = dot(second, second);
   const Real inverse = Real(1.0) / (a * c - b * b);

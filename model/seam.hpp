@@ -6,12 +6,14 @@
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
-/// Making two patches G1 along a seam by moving the second rows of both kept nets (docs/mathematics.md, section 8).
+/// Making two patches G1 along a seam by moving the second rows of both kept nets
+/// (docs/mathematics.md, section 8).
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// Rows of the two kept nets at a seam of degree n, index 0 at its free end (away from the pillar foot).
-/// `edge` is the seam, `across_a` = edge - second row of a, `across_b` = second row of b - edge.
+/// Rows of the two kept nets at a seam of degree n, index 0 at its free end (away from the pillar
+/// foot). `edge` is the seam, `across_a` = edge - second row of a, `across_b` = second row of b -
+/// edge.
 template <class Real>
 struct SeamRows {
   Vec3<Real> edge[max_patch_degree + 1];
@@ -23,15 +25,16 @@ struct SeamRows {
 template <class Real>
 struct SeamTrace {
   Real inverse_norm_a, inverse_norm_b, inverse_norm;  // of t x A0, t x B0, and their unit sum
-  Vec3<Real> normal_a, normal_b, normal;              // unit normals of both handles' planes, and the mean plane's
-  Vec3<Real> a0, b0;                                  // handles projected onto the mean plane
+  Vec3<Real> normal_a, normal_b,
+      normal;         // unit normals of both handles' planes, and the mean plane's
+  Vec3<Real> a0, b0;  // handles projected onto the mean plane
   Real rho, lean0, lean1, inverse_weight;
   Vec3<Real> residual[max_patch_degree + 1];
 };
 
-/// Corrects across_a and across_b so that B(s) = rho A(s) + beta(s) c'(s) exactly: the handles at index 0 are projected
-/// onto their mean plane, which fixes rho and beta(0); beta(1) and the moves of the other rows are the least-squares
-/// solution with the smallest moves. Needs sqrt of Real.
+/// Corrects across_a and across_b so that B(s) = rho A(s) + beta(s) c'(s) exactly: the handles at
+/// index 0 are projected onto their mean plane, which fixes rho and beta(0); beta(1) and the moves
+/// of the other rows are the least-squares solution with the smallest moves. Needs sqrt of Real.
 template <class Real>
 void correct_seam(int n, SeamRows<Real>& rows, SeamTrace<Real>& trace) {
   using std::sqrt;
@@ -51,7 +54,8 @@ void correct_seam(int n, SeamRows<Real>& rows, SeamTrace<Real>& trace) {
   Real overlap{}, weight{};
   for (int j = 1; j <= n; ++j) {
     Vec3<Real> residual = rows.across_b[j] - trace.rho * rows.across_a[j];
-    if (j < n) residual -= Real(fractions.rest[n][j]) * (trace.lean0 * (rows.edge[j + 1] - rows.edge[j]));
+    if (j < n)
+      residual -= Real(fractions.rest[n][j]) * (trace.lean0 * (rows.edge[j + 1] - rows.edge[j]));
     const Vec3<Real> step = scaled(fractions.value[n][j], rows.edge[j] - rows.edge[j - 1]);
     overlap += dot(step, residual);
     weight += dot(step, step);
@@ -63,16 +67,18 @@ void correct_seam(int n, SeamRows<Real>& rows, SeamTrace<Real>& trace) {
   rows.across_a[0] = trace.a0;
   rows.across_b[0] = trace.b0;
   for (int j = 1; j <= n; ++j) {
-    trace.residual[j] -= Real(fractions.value[n][j]) * (trace.lean1 * (rows.edge[j] - rows.edge[j - 1]));
+    trace.residual[j] -=
+        Real(fractions.value[n][j]) * (trace.lean1 * (rows.edge[j] - rows.edge[j - 1]));
     rows.across_a[j] += (trace.rho * share) * trace.residual[j];
     rows.across_b[j] -= share * trace.residual[j];
   }
 }
 
-/// Pullback of correct_seam. `before` are the rows before the correction; `bar` holds the adjoints of the corrected
-/// rows and is replaced by those of the rows before (edge's are added to).
+/// Pullback of correct_seam. `before` are the rows before the correction; `bar` holds the adjoints
+/// of the corrected rows and is replaced by those of the rows before (edge's are added to).
 template <class Real>
-void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<Real>& trace, SeamRows<Real>& bar) {
+void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<Real>& trace,
+                           SeamRows<Real>& bar) {
   const Real& rho = trace.rho;
   const Real share = Real(1.0) / (Real(1.0) + rho * rho);
   const Real d_share = Real(-2.0) * rho * share * share;
@@ -80,14 +86,17 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
   Real rho_bar{}, lean0_bar{}, lean1_bar{};
   for (int j = 1; j <= n; ++j) {
     residual_bar[j] = share * (rho * bar.across_a[j] - bar.across_b[j]);
-    const Real on_a = dot(bar.across_a[j], trace.residual[j]), on_b = dot(bar.across_b[j], trace.residual[j]);
+    const Real on_a = dot(bar.across_a[j], trace.residual[j]),
+               on_b = dot(bar.across_b[j], trace.residual[j]);
     rho_bar += (share + rho * d_share) * on_a - d_share * on_b;
-    lean1_bar -= Real(fractions.value[n][j]) * dot(residual_bar[j], before.edge[j] - before.edge[j - 1]);
+    lean1_bar -=
+        Real(fractions.value[n][j]) * dot(residual_bar[j], before.edge[j] - before.edge[j - 1]);
     const Vec3<Real> step_bar = Real(-fractions.value[n][j]) * (trace.lean1 * residual_bar[j]);
     bar.edge[j] += step_bar;
     bar.edge[j - 1] -= step_bar;
   }
-  // lean1 = overlap / weight; the residual before its share of lean1 was taken off is residual + lean1 step.
+  // lean1 = overlap / weight; the residual before its share of lean1 was taken off is residual +
+  // lean1 step.
   const Real overlap_bar = lean1_bar * trace.inverse_weight;
   const Real weight_bar = -trace.lean1 * overlap_bar;
   for (int j = 1; j <= n; ++j) {
@@ -130,14 +139,18 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
   const Real a_out = dot(a0_bar, trace.normal), b_out = dot(b0_bar, trace.normal);
   normal_bar -= dot(handle_a, trace.normal) * a0_bar + a_out * handle_a;
   normal_bar -= dot(handle_b, trace.normal) * b0_bar + b_out * handle_b;
-  Vec3<Real> handle_a_bar = a0_bar - a_out * trace.normal, handle_b_bar = b0_bar - b_out * trace.normal;
+  Vec3<Real> handle_a_bar = a0_bar - a_out * trace.normal,
+             handle_b_bar = b0_bar - b_out * trace.normal;
   // three normalisations
-  const auto normalise_pullback = [](const Vec3<Real>& unit, const Real& inverse_norm, const Vec3<Real>& unit_bar) {
+  const auto normalise_pullback = [](const Vec3<Real>& unit, const Real& inverse_norm,
+                                     const Vec3<Real>& unit_bar) {
     return inverse_norm * (unit_bar - dot(unit, unit_bar) * unit);
   };
   const Vec3<Real> sum_bar = normalise_pullback(trace.normal, trace.inverse_norm, normal_bar);
-  cross_pullback(t, handle_a, normalise_pullback(trace.normal_a, trace.inverse_norm_a, sum_bar), t_bar, handle_a_bar);
-  cross_pullback(t, handle_b, normalise_pullback(trace.normal_b, trace.inverse_norm_b, sum_bar), t_bar, handle_b_bar);
+  cross_pullback(t, handle_a, normalise_pullback(trace.normal_a, trace.inverse_norm_a, sum_bar),
+                 t_bar, handle_a_bar);
+  cross_pullback(t, handle_b, normalise_pullback(trace.normal_b, trace.inverse_norm_b, sum_bar),
+                 t_bar, handle_b_bar);
   bar.across_a[0] = handle_a_bar;
   bar.across_b[0] = handle_b_bar;
   bar.edge[1] += t_bar;

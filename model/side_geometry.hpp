@@ -5,7 +5,8 @@
 /// Where a side's rows lie in a net of (m+1) x (n+1) points, v fastest.
 namespace bodyline::model {
 
-/// A walk along a side: point k of the row `depth` behind the side is at start + k * step + depth * inward.
+/// A walk along a side: point k of the row `depth` behind the side is at start + k * step + depth *
+/// inward.
 struct SideWalk {
   int start = 0, step = 0, inward = 0;
   int count = 0;   ///< points along the side
@@ -37,7 +38,8 @@ inline SideWalk reversed(SideWalk walk) {
 /// Whether a side is an isoline of u (runs along v).
 inline bool along_v(Side side) { return side == Side::u0 || side == Side::u1; }
 
-/// Position of the patch corner in PatchLinks::vertices at which a side starts (end 0) or ends (end 1).
+/// Position of the patch corner in PatchLinks::vertices at which a side starts (end 0) or ends (end
+/// 1).
 inline int side_vertex(Side side, int end) {
   switch (side) {
     case Side::u0:

@@ -5,13 +5,16 @@
 #include "model/isa_namespace.hpp"
 #include "model/vec3.hpp"
 
-/// Extended SQ-Coons patch over the GE-Bezier basis as a Bezier net (docs/mathematics.md, section 3).
+/// Extended SQ-Coons patch over the GE-Bezier basis as a Bezier net (docs/mathematics.md, section
+/// 3).
 ///
-/// With P the Coons net of the boundary, every shape parameter acts through one vector per row or column:
+/// With P the Coons net of the boundary, every shape parameter acts through one vector per row or
+/// column:
 ///   net[i][j] = P[i][j] + d_v[j-1] a_n(j) W[i] + d_u[i-1] a_m(i) Z[j],   0 < i < m, 0 < j < n,
-/// where W[i] is the difference of row i's ends less its value on the bilinear patch of the corners, Z[j] likewise
-/// for column j, and d = shape - neutral shape. This is R1 + R2 - T of eqs. (7)-(11) with the terms that cancel left
-/// out; the middle parameter of an even degree has no effect.
+/// where W[i] is the difference of row i's ends less its value on the bilinear patch of the
+/// corners, Z[j] likewise for column j, and d = shape - neutral shape. This is R1 + R2 - T of eqs.
+/// (7)-(11) with the terms that cancel left out; the middle parameter of an even degree has no
+/// effect.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -29,7 +32,8 @@ constexpr double sq_coons_weight(int degree, int j) {
 
 /// Both functions for every degree and interior point 0 < j < degree.
 struct SqCoonsTable {
-  double neutral[max_patch_degree + 1][max_patch_degree + 1];  ///< [degree][j]: of shape value j - 1
+  double neutral[max_patch_degree + 1]
+                [max_patch_degree + 1];  ///< [degree][j]: of shape value j - 1
   double weight[max_patch_degree + 1][max_patch_degree + 1];
 };
 consteval SqCoonsTable make_sq_coons_table() {
@@ -51,22 +55,25 @@ struct ShapeMoves {
   Real factor[max_patch_degree];           ///< weight times (shape - neutral shape)
 };
 
-/// The moves of rows k = 1..rows-1 whose ends are net[k * row_step] and net[k * row_step + far], by the `degree` - 1
-/// shape values of the other direction.
+/// The moves of rows k = 1..rows-1 whose ends are net[k * row_step] and net[k * row_step + far], by
+/// the `degree` - 1 shape values of the other direction.
 template <class Real>
-void shape_directions(int rows, int row_step, int far, const Vec3<Real>* net, ShapeMoves<Real>& moves) {
-  const Vec3<Real> first = net[far] - net[0], last = net[rows * row_step + far] - net[rows * row_step];
+void shape_directions(int rows, int row_step, int far, const Vec3<Real>* net,
+                      ShapeMoves<Real>& moves) {
+  const Vec3<Real> first = net[far] - net[0],
+                   last = net[rows * row_step + far] - net[rows * row_step];
   for (int k = 1; k < rows; ++k) {
     const double *share = fractions.value[rows], *rest = fractions.rest[rows];
-    moves.direction[k] =
-        (net[k * row_step + far] - net[k * row_step]) - scaled(rest[k], first) - scaled(share[k], last);
+    moves.direction[k] = (net[k * row_step + far] - net[k * row_step]) - scaled(rest[k], first) -
+                         scaled(share[k], last);
   }
 }
 
 template <class Real>
 void shape_factors(int degree, const Real* shape, ShapeMoves<Real>& moves) {
   for (int k = 1; k < degree; ++k) {
-    moves.factor[k] = Real(sq_coons_table.weight[degree][k]) * (shape[k - 1] - Real(sq_coons_table.neutral[degree][k]));
+    moves.factor[k] = Real(sq_coons_table.weight[degree][k]) *
+                      (shape[k - 1] - Real(sq_coons_table.neutral[degree][k]));
   }
 }
 
@@ -75,7 +82,8 @@ void shape_factors(int degree, const Real* shape, ShapeMoves<Real>& moves) {
 template <class Real>
 void sq_coons(int m, int n, Vec3<Real>* net, const Real* shape_u, const Real* shape_v) {
   const int stride = n + 1, m0 = m * stride;
-  const double *share_u = fractions.value[m], *rest_u = fractions.rest[m], *share_v = fractions.value[n];
+  const double *share_u = fractions.value[m], *rest_u = fractions.rest[m],
+               *share_v = fractions.value[n];
   ShapeMoves<Real> w, z;  // rows move along w by v's shape, columns along z by u's
   shape_directions(m, stride, n, net, w);
   shape_directions(n, 1, m0, net, z);
@@ -87,7 +95,8 @@ void sq_coons(int m, int n, Vec3<Real>* net, const Real* shape_u, const Real* sh
     const Vec3<Real> left = net[i * stride] - scaled(lower, net[0]) - scaled(upper, net[m0]);
     for (int j = 1; j < n; ++j) {
       net[i * stride + j] = scaled(lower, net[j]) + scaled(upper, net[m0 + j]) + left +
-                            (Real(share_v[j]) + w.factor[j]) * w.direction[i] + z.factor[i] * z.direction[j];
+                            (Real(share_v[j]) + w.factor[j]) * w.direction[i] +
+                            z.factor[i] * z.direction[j];
     }
   }
 }
@@ -110,13 +119,15 @@ void shape_directions_pullback(int rows, int row_step, int far, const Vec3<Real>
   net_bar[rows * row_step] += last_bar;
 }
 
-/// Pullback of sq_coons: moves the adjoints of the interior (left as they are) to the boundary's entries of `net_bar`
-/// and adds to those of the shape parameters.
+/// Pullback of sq_coons: moves the adjoints of the interior (left as they are) to the boundary's
+/// entries of `net_bar` and adds to those of the shape parameters.
 template <class Real>
-void sq_coons_pullback(int m, int n, const Vec3<Real>* net, const Real* shape_u, const Real* shape_v,
-                       Vec3<Real>* net_bar, Real* shape_u_bar, Real* shape_v_bar) {
+void sq_coons_pullback(int m, int n, const Vec3<Real>* net, const Real* shape_u,
+                       const Real* shape_v, Vec3<Real>* net_bar, Real* shape_u_bar,
+                       Real* shape_v_bar) {
   const int stride = n + 1, m0 = m * stride;
-  const double *share_u = fractions.value[m], *rest_u = fractions.rest[m], *share_v = fractions.value[n];
+  const double *share_u = fractions.value[m], *rest_u = fractions.rest[m],
+               *share_v = fractions.value[n];
   ShapeMoves<Real> w, z;
   shape_directions(m, stride, n, net, w);
   shape_directions(n, 1, m0, net, z);

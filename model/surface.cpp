@@ -11,7 +11,8 @@ namespace {
 // Below this fraction of |Su| |Sv| scale a cross product carries no direction.
 constexpr double degenerate_sine = 1e-9;
 
-// The normal's direction where Su or Sv vanishes: the vanishing one is replaced by its limit from inside.
+// The normal's direction where Su or Sv vanishes: the vanishing one is replaced by its limit from
+// inside.
 Eigen::Vector3d limit_normal(const SurfaceJet& jet, double u, double v) {
   Eigen::Vector3d su = jet.d[1], sv = jet.d[2];
   const Eigen::Vector3d& suv = jet.d[4];
@@ -43,8 +44,8 @@ SurfaceJet jet(const Surface& surface, double u, double v, int order) {
   SurfaceJet result;
   for (Eigen::Vector3d& d : result.d) d.setZero();
   for (int i = 0; i <= surface.degree_u; ++i) {
-    std::array<Eigen::Vector3d, 4> row{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                                       Eigen::Vector3d::Zero()};
+    std::array<Eigen::Vector3d, 4> row{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                       Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     for (int j = 0; j <= surface.degree_v; ++j) {
       for (int b = 0; b <= order; ++b) row[b] += bv.d[b][j] * surface.point(i, j);
     }
@@ -74,10 +75,12 @@ Curvature curvature(const SurfaceJet& jet, bool inward) {
   const Eigen::Vector3d normal = su.cross(sv);
   const double e = su.dot(su), f = su.dot(sv), g = sv.dot(sv);
   const double area = normal.norm();
-  const double l = normal.dot(jet.d[3]) / area, m = normal.dot(jet.d[4]) / area, n = normal.dot(jet.d[5]) / area;
+  const double l = normal.dot(jet.d[3]) / area, m = normal.dot(jet.d[4]) / area,
+               n = normal.dot(jet.d[5]) / area;
   const double determinant = area * area;
   Curvature result;
-  // The outward normal of a sphere gives negative L, M, N; the sign makes its mean curvature positive.
+  // The outward normal of a sphere gives negative L, M, N; the sign makes its mean curvature
+  // positive.
   result.mean = (e * n - 2.0 * f * m + g * l) / (2.0 * determinant) * (inward ? 1.0 : -1.0);
   result.gauss = (l * n - m * m) / determinant;
   return result;

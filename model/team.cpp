@@ -23,7 +23,8 @@ void pause_briefly() {
 }  // namespace
 
 Team::Team(int size) {
-  for (int member = 1; member < size; ++member) threads_.emplace_back([this, member] { serve(member); });
+  for (int member = 1; member < size; ++member)
+    threads_.emplace_back([this, member] { serve(member); });
 }
 
 Team::~Team() {

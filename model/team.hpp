@@ -6,8 +6,8 @@
 
 namespace bodyline::model {
 
-/// Threads that wait for short jobs, shorter than a scheduler takes to wake a thread: after a job they keep watching for
-/// the next one for some tens of microseconds before they sleep.
+/// Threads that wait for short jobs, shorter than a scheduler takes to wake a thread: after a job
+/// they keep watching for the next one for some tens of microseconds before they sleep.
 class Team {
  public:
   /// `size` members, the caller of `run` included; size - 1 threads are started.
@@ -18,11 +18,12 @@ class Team {
 
   int size() const { return int(threads_.size()) + 1; }
 
-  /// Calls work(member) for every member 0..size-1, member 0 on this thread, and returns when all are done. Allocates
-  /// nothing. `work` must not throw. Not for two callers at once.
+  /// Calls work(member) for every member 0..size-1, member 0 on this thread, and returns when all
+  /// are done. Allocates nothing. `work` must not throw. Not for two callers at once.
   template <class Work>
   void run(const Work& work) {
-    start([](const void* context, int member) { (*static_cast<const Work*>(context))(member); }, &work);
+    start([](const void* context, int member) { (*static_cast<const Work*>(context))(member); },
+          &work);
     work(0);
     finish();
   }

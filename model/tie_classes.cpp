@@ -26,7 +26,8 @@ void TieClasses::tie(int a, int b, double factor) {
     if (between < 0.0) fixed_[pa.root] = 1;  // its own opposite: a coordinate in the symmetry plane
     return;
   }
-  const int low = pa.root < pb.root ? pa.root : pb.root, high = pa.root < pb.root ? pb.root : pa.root;
+  const int low = pa.root < pb.root ? pa.root : pb.root,
+            high = pa.root < pb.root ? pb.root : pa.root;
   parent_[high] = low;
   factor_[high] = between;
   if (fixed_[high]) fixed_[low] = 1;

@@ -7,8 +7,9 @@
 #include "model/plane_solve.hpp"
 #include "model/vec3.hpp"
 
-/// The transition across a joint: cubic across, the joint's degree along (docs/mathematics.md, section 6).
-/// Each side gives two rows, its kept edge and the handle row; both are functions of that side alone.
+/// The transition across a joint: cubic across, the joint's degree along (docs/mathematics.md,
+/// section 6). Each side gives two rows, its kept edge and the handle row; both are functions of
+/// that side alone.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -17,7 +18,7 @@ template <class Real>
 struct TransitionSide {
   Vec3<Real> edge[max_patch_degree + 1];    ///< kept edge
   Vec3<Real> second[max_patch_degree + 1];  ///< the row of the kept net behind it
-  Real stretch;   ///< across degree * (width cut away) / (width kept): D = stretch * (edge - second)
+  Real stretch;  ///< across degree * (width cut away) / (width kept): D = stretch * (edge - second)
   Real fullness;
   Real lean[2];  ///< at both ends of the joint, inwards
 };
@@ -29,9 +30,9 @@ void clear(int n, TransitionSide<Real>& bar) {
   bar.stretch = bar.fullness = bar.lean[0] = bar.lean[1] = Real{};
 }
 
-/// Handle row T1 of a cut side: edge + (f D + beta A0') / 3, beta linear with beta(0) |A0'| = lean[0] f |D| and
-/// beta(1) |A0'| = -lean[1] f |D|. With `leaning` false the lean is taken as zero and costs nothing.
-/// Needs sqrt of Real and a positive stretch and fullness.
+/// Handle row T1 of a cut side: edge + (f D + beta A0') / 3, beta linear with beta(0) |A0'| =
+/// lean[0] f |D| and beta(1) |A0'| = -lean[1] f |D|. With `leaning` false the lean is taken as zero
+/// and costs nothing. Needs sqrt of Real and a positive stretch and fullness.
 template <class Real>
 void transition_handle(int n, const TransitionSide<Real>& side, bool leaning, Vec3<Real>* handle) {
   using std::sqrt;
@@ -51,8 +52,8 @@ void transition_handle(int n, const TransitionSide<Real>& side, bool leaning, Ve
 
 /// Pullback of transition_handle: adds to every adjoint in `bar`.
 template <class Real>
-void transition_handle_pullback(int n, const TransitionSide<Real>& side, bool leaning, const Vec3<Real>* handle_bar,
-                                TransitionSide<Real>& bar) {
+void transition_handle_pullback(int n, const TransitionSide<Real>& side, bool leaning,
+                                const Vec3<Real>* handle_bar, TransitionSide<Real>& bar) {
   using std::sqrt;
   const Real reach = Real(1.0 / 3.0) * side.fullness * side.stretch;
   Real reach_bar{};
@@ -65,15 +66,18 @@ void transition_handle_pullback(int n, const TransitionSide<Real>& side, bool le
     for (int end = 0; end < 2; ++end) {
       const int at = end == 0 ? 0 : n, next = end == 0 ? 1 : n - 1;
       const double sign = end == 0 ? 1.0 : -1.0;
-      // Both ends seen from outside in: along points inwards, so the move is lean * reach * ratio at either end.
-      const Vec3<Real> along = scaled(sign, end == 0 ? side.edge[1] - side.edge[0] : side.edge[n] - side.edge[n - 1]);
+      // Both ends seen from outside in: along points inwards, so the move is lean * reach * ratio
+      // at either end.
+      const Vec3<Real> along =
+          scaled(sign, end == 0 ? side.edge[1] - side.edge[0] : side.edge[n] - side.edge[n - 1]);
       const Vec3<Real> across = side.edge[at] - side.second[at];
       const Real across2 = dot(across, across), along2 = dot(along, along);
       const Real ratio = sqrt(across2 / along2);
       const Real move = Real(sign) * side.lean[end] * reach * ratio;
       Real move_bar{};
       for (int k = 0; k < n; ++k) {
-        // Step k of the edge appears in handle k (end 0) or handle k + 1 (end 1), by the product with beta.
+        // Step k of the edge appears in handle k (end 0) or handle k + 1 (end 1), by the product
+        // with beta.
         const int row = end == 0 ? k : k + 1;
         const double weight = end == 0 ? fractions.rest[n][k] : fractions.value[n][k + 1];
         move_bar += Real(weight) * dot(handle_bar[row], side.edge[k + 1] - side.edge[k]);
@@ -113,8 +117,9 @@ Real where_at_least(const Real& x, const Real& floor, const Real& yes, const Rea
   return branch_value(x) >= branch_value(floor) ? yes : no;
 }
 
-/// x where it is at least `floor`, else a positive number below it that fades out as x falls: twice continuously
-/// differentiable, increasing, floor / (1 + y + y^2) with y = 1 - x / floor. The floor must be positive.
+/// x where it is at least `floor`, else a positive number below it that fades out as x falls: twice
+/// continuously differentiable, increasing, floor / (1 + y + y^2) with y = 1 - x / floor. The floor
+/// must be positive.
 template <class Real>
 Real lifted(const Real& x, const Real& floor) {
   const Real y = Real(1.0) - x / floor;
@@ -123,7 +128,8 @@ Real lifted(const Real& x, const Real& floor) {
 
 /// Pullback of lifted: adds to the adjoints of both arguments.
 template <class Real>
-void lifted_pullback(const Real& x, const Real& floor, const Real& bar, Real& x_bar, Real& floor_bar) {
+void lifted_pullback(const Real& x, const Real& floor, const Real& bar, Real& x_bar,
+                     Real& floor_bar) {
   const Real ratio = x / floor;
   const Real y = Real(1.0) - ratio;
   const Real factor = Real(1.0) / (Real(1.0) + y + y * y);
@@ -132,7 +138,8 @@ void lifted_pullback(const Real& x, const Real& floor, const Real& bar, Real& x_
   floor_bar += where_at_least(x, floor, Real(0.0), (factor - slope * ratio) * bar);
 }
 
-/// An uncut side's handle reaches across by at least this part of what a side cut as wide as its neighbour would.
+/// An uncut side's handle reaches across by at least this part of what a side cut as wide as its
+/// neighbour would.
 inline constexpr double least_uncut_reach = 0.2;
 
 /// What the construction of an uncut side computed on its way, for the pullback.
@@ -141,15 +148,16 @@ struct UncutTrace {
   PlaneCoordinates<Real> solution[2];  ///< (f, beta) at both ends before f is lifted
 };
 
-/// Handle row of a side that is not cut back, one degree higher: edge + (f(s) D + beta(s) A0') / 3 with f and beta
-/// linear, such that at each end the handle follows `target[end]` (the free edge beyond, times the fullness) as
-/// closely as the side's tangent plane allows. Where the free edge does not lead away from this side, f would not be
-/// positive and the transition would fold: it is lifted to stay positive. Here stretch is across degree / width
-/// kept, and `neighbour_width` the width of the strip cut from the other patch.
-/// `raised_edge` and `handle` get n + 2 points.
+/// Handle row of a side that is not cut back, one degree higher: edge + (f(s) D + beta(s) A0') / 3
+/// with f and beta linear, such that at each end the handle follows `target[end]` (the free edge
+/// beyond, times the fullness) as closely as the side's tangent plane allows. Where the free edge
+/// does not lead away from this side, f would not be positive and the transition would fold: it is
+/// lifted to stay positive. Here stretch is across degree / width kept, and `neighbour_width` the
+/// width of the strip cut from the other patch. `raised_edge` and `handle` get n + 2 points.
 template <class Real>
-void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* target, const Real& neighbour_width,
-                  Vec3<Real>* raised_edge, Vec3<Real>* handle, UncutTrace<Real>& trace) {
+void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* target,
+                  const Real& neighbour_width, Vec3<Real>* raised_edge, Vec3<Real>* handle,
+                  UncutTrace<Real>& trace) {
   Vec3<Real> across[max_patch_degree + 1], along[max_patch_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
@@ -166,15 +174,18 @@ void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* tar
   Vec3<Real> raised_lean[max_patch_degree + 2];
   elevate_once(n, lean, raised_lean);
   elevate_once(n, side.edge, raised_edge);
-  for (int j = 0; j <= n + 1; ++j) handle[j] = raised_edge[j] + scaled(1.0 / 3.0, sum[j] + raised_lean[j]);
+  for (int j = 0; j <= n + 1; ++j)
+    handle[j] = raised_edge[j] + scaled(1.0 / 3.0, sum[j] + raised_lean[j]);
 }
 
-/// Pullback of uncut_handle: adds to the adjoints of the side, of the two targets and of the neighbour's width.
+/// Pullback of uncut_handle: adds to the adjoints of the side, of the two targets and of the
+/// neighbour's width.
 template <class Real>
 void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<Real>* target,
                            const Real& neighbour_width, const UncutTrace<Real>& trace,
-                           const Vec3<Real>* raised_edge_bar, const Vec3<Real>* handle_bar, TransitionSide<Real>& bar,
-                           Vec3<Real>* target_bar, Real& neighbour_width_bar) {
+                           const Vec3<Real>* raised_edge_bar, const Vec3<Real>* handle_bar,
+                           TransitionSide<Real>& bar, Vec3<Real>* target_bar,
+                           Real& neighbour_width_bar) {
   Vec3<Real> across[max_patch_degree + 1], along[max_patch_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
@@ -201,8 +212,8 @@ void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<R
     lifted_pullback(trace.solution[end].p, floor, f_bar[end], solution_bar.p, floor_bar);
     bar.fullness += Real(least_uncut_reach) * neighbour_width * floor_bar;
     neighbour_width_bar += Real(least_uncut_reach) * side.fullness * floor_bar;
-    plane_solve_pullback(across[at], along[step], side.fullness * target[end], trace.solution[end], solution_bar,
-                         across_bar[at], along_bar[step], aim_bar);
+    plane_solve_pullback(across[at], along[step], side.fullness * target[end], trace.solution[end],
+                         solution_bar, across_bar[at], along_bar[step], aim_bar);
     bar.fullness += dot(aim_bar, target[end]);
     target_bar[end] += side.fullness * aim_bar;
   }

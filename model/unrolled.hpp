@@ -2,7 +2,8 @@
 
 #include "model/isa_namespace.hpp"
 
-/// Loops that the compiler sees as a sequence of statements, so that small arrays live in registers.
+/// Loops that the compiler sees as a sequence of statements, so that small arrays live in
+/// registers.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 

@@ -12,7 +12,8 @@
 namespace bodyline::model {
 namespace {
 
-void tie_curves(const Model& model, const Connectivity& links, const ParameterLayout& layout, TieClasses& ties) {
+void tie_curves(const Model& model, const Connectivity& links, const ParameterLayout& layout,
+                TieClasses& ties) {
   // Curve ends in one vertex are one point.
   std::vector<int> first(links.vertex_count, -1);
   for (int c = 0; c < int(model.curves.size()); ++c) {
@@ -35,26 +36,30 @@ void tie_curves(const Model& model, const Connectivity& links, const ParameterLa
       const int n = int(model.curves[c].points.size()) - 1;
       for (int j = 0; 2 * j <= n; ++j) {
         for (int axis = 0; axis < 3; ++axis) {
-          ties.tie(layout.point(c, j) + axis, layout.point(c, n - j) + axis, axis == 1 ? -1.0 : 1.0);
+          ties.tie(layout.point(c, j) + axis, layout.point(c, n - j) + axis,
+                   axis == 1 ? -1.0 : 1.0);
         }
       }
     }
   }
 }
 
-void tie_patches(const Model& model, const Connectivity& links, const ParameterLayout& layout, TieClasses& ties) {
+void tie_patches(const Model& model, const Connectivity& links, const ParameterLayout& layout,
+                 TieClasses& ties) {
   for (int p = 0; p < int(model.patches.size()); ++p) {
     const Patch& patch = model.patches[p];
     if (patch.central) {
       ties.tie(layout.cut(p) + 2, layout.cut(p) + 3, -1.0);
       const int count = int(patch.shape_v.size());
-      for (int k = 0; 2 * k < count; ++k) ties.tie(layout.shape_v(p, k), layout.shape_v(p, count - 1 - k), 1.0);
+      for (int k = 0; 2 * k < count; ++k)
+        ties.tie(layout.shape_v(p, k), layout.shape_v(p, count - 1 - k), 1.0);
     }
     for (Side side : all_sides) {
       const SideLink& link = links.patches[p].sides[static_cast<int>(side)];
-      const bool is_cut = link.role == SideRole::mirrored
-                              ? links.patches[p].sides[static_cast<int>(Side::v0)].role == SideRole::joint
-                              : link.role == SideRole::joint && model.joints[link.index].uncut != link.which;
+      const bool is_cut =
+          link.role == SideRole::mirrored
+              ? links.patches[p].sides[static_cast<int>(Side::v0)].role == SideRole::joint
+              : link.role == SideRole::joint && model.joints[link.index].uncut != link.which;
       if (!is_cut) ties.fix(layout.cut(p) + static_cast<int>(side));
     }
   }
@@ -83,9 +88,12 @@ void set_bounds(const Model& model, const ParameterLayout& layout, const Eigen::
                 const VariableBounds& bounds, std::vector<Variable>& variables) {
   std::vector<ShapeRange> shape_ranges(layout.size());
   for (int p = 0; p < int(model.patches.size()); ++p) {
-    const int m = int(model.patches[p].shape_u.size()) + 1, n = int(model.patches[p].shape_v.size()) + 1;
-    for (int k = 0; k < m - 1; ++k) shape_ranges[layout.shape_u(p, k)] = GeBezierBasis(m).shape_range(k);
-    for (int k = 0; k < n - 1; ++k) shape_ranges[layout.shape_v(p, k)] = GeBezierBasis(n).shape_range(k);
+    const int m = int(model.patches[p].shape_u.size()) + 1,
+              n = int(model.patches[p].shape_v.size()) + 1;
+    for (int k = 0; k < m - 1; ++k)
+      shape_ranges[layout.shape_u(p, k)] = GeBezierBasis(m).shape_range(k);
+    for (int k = 0; k < n - 1; ++k)
+      shape_ranges[layout.shape_v(p, k)] = GeBezierBasis(n).shape_range(k);
   }
   for (Variable& variable : variables) {
     const int parameter = variable.ties.front().parameter;
@@ -120,7 +128,8 @@ void set_bounds(const Model& model, const ParameterLayout& layout, const Eigen::
 
 }  // namespace
 
-VariableMap::VariableMap(const Model& model, const Connectivity& links, const VariableBounds& bounds)
+VariableMap::VariableMap(const Model& model, const Connectivity& links,
+                         const VariableBounds& bounds)
     : layout_(model), names_(model::parameter_names(model, layout_)), owner_(layout_.size(), -1) {
   const Eigen::VectorXd values = to_parameters(model, layout_);
   TieClasses ties(layout_.size());
@@ -161,12 +170,15 @@ std::vector<int> VariableMap::select(std::span<const std::string> patterns) cons
       any = true;
     }
     if (!any && fixed) {
-      throw std::invalid_argument("\"" + pattern + "\" is fixed: a cut where no joint is, a lean away from a seam, or a "
-                                  "coordinate in the symmetry plane");
+      throw std::invalid_argument(
+          "\"" + pattern +
+          "\" is fixed: a cut where no joint is, a lean away from a seam, or a "
+          "coordinate in the symmetry plane");
     }
     if (!any) {
-      throw std::invalid_argument("no variable matches \"" + pattern + "\"; the nearest name is \"" +
-                                  nearest_name(pattern, names_) + "\"");
+      throw std::invalid_argument("no variable matches \"" + pattern +
+                                  "\"; the nearest name is \"" + nearest_name(pattern, names_) +
+                                  "\"");
     }
   }
   std::vector<int> selected;
@@ -176,24 +188,29 @@ std::vector<int> VariableMap::select(std::span<const std::string> patterns) cons
   return selected;
 }
 
-Eigen::VectorXd VariableMap::gather(const std::vector<int>& selected, const Eigen::VectorXd& parameters) const {
+Eigen::VectorXd VariableMap::gather(const std::vector<int>& selected,
+                                    const Eigen::VectorXd& parameters) const {
   Eigen::VectorXd x(selected.size());
-  for (std::size_t k = 0; k < selected.size(); ++k) x[k] = parameters[variables_[selected[k]].ties.front().parameter];
+  for (std::size_t k = 0; k < selected.size(); ++k)
+    x[k] = parameters[variables_[selected[k]].ties.front().parameter];
   return x;
 }
 
 void VariableMap::scatter(const std::vector<int>& selected, const Eigen::VectorXd& x,
                           Eigen::VectorXd& parameters) const {
   for (std::size_t k = 0; k < selected.size(); ++k) {
-    for (const Tie& tie : variables_[selected[k]].ties) parameters[tie.parameter] = tie.factor * x[k] + tie.offset;
+    for (const Tie& tie : variables_[selected[k]].ties)
+      parameters[tie.parameter] = tie.factor * x[k] + tie.offset;
   }
 }
 
-void VariableMap::gather_pullback(const std::vector<int>& selected, const Eigen::VectorXd& parameters_bar,
+void VariableMap::gather_pullback(const std::vector<int>& selected,
+                                  const Eigen::VectorXd& parameters_bar,
                                   Eigen::VectorXd& x_bar) const {
   for (std::size_t k = 0; k < selected.size(); ++k) {
     double sum = 0.0;
-    for (const Tie& tie : variables_[selected[k]].ties) sum += tie.factor * parameters_bar[tie.parameter];
+    for (const Tie& tie : variables_[selected[k]].ties)
+      sum += tie.factor * parameters_bar[tie.parameter];
     x_bar[k] = sum;
   }
 }

@@ -8,8 +8,8 @@
 #include "model/connect.hpp"
 #include "model/parameters.hpp"
 
-/// The independent variables of a body. Parameters that mirror symmetry, shared curve ends or seams tie together follow
-/// one variable: parameter = factor * variable + offset, with factor 1 or -1.
+/// The independent variables of a body. Parameters that mirror symmetry, shared curve ends or seams
+/// tie together follow one variable: parameter = factor * variable + offset, with factor 1 or -1.
 namespace bodyline::model {
 
 /// One parameter that follows a variable.
@@ -23,14 +23,17 @@ struct Tie {
 struct Variable {
   std::string name;
   ParameterKind kind = ParameterKind::curve;
-  std::vector<Tie> ties;             ///< the first has factor 1 and offset 0
-  double lower = 0.0, upper = 0.0;   ///< the largest range in which a body may be sought; -inf, inf for curve points
+  std::vector<Tie> ties;  ///< the first has factor 1 and offset 0
+  double lower = 0.0,
+         upper =
+             0.0;  ///< the largest range in which a body may be sought; -inf, inf for curve points
 };
 
-/// How wide the bounds of VariableMap are. All are limits of the search, not of what a model file may hold.
+/// How wide the bounds of VariableMap are. All are limits of the search, not of what a model file
+/// may hold.
 struct VariableBounds {
-  double min_cut = 0.01;       ///< narrowest strip, as a fraction of the patch
-  double max_cut = 0.1;        ///< widest strip
+  double min_cut = 0.01;  ///< narrowest strip, as a fraction of the patch
+  double max_cut = 0.1;   ///< widest strip
   double min_fullness = 0.3;
   double max_fullness = 2.7;
   double min_lean = 0.1;
@@ -47,18 +50,21 @@ class VariableMap {
   int count() const { return int(variables_.size()); }
   const std::vector<std::string>& parameter_names() const { return names_; }
 
-  /// Variable that moves a parameter, or -1 when the parameter is fixed (a cut on a free side, y on the symmetry plane).
+  /// Variable that moves a parameter, or -1 when the parameter is fixed (a cut on a free side, y on
+  /// the symmetry plane).
   int variable_of(int parameter) const { return owner_[parameter]; }
 
-  /// Indices of the variables of which any parameter's name matches any pattern, in order. `*` stands for any run of
-  /// characters, `?` for one, `[1-2]` for a range of digits; other brackets are taken as they are. A pattern that
-  /// matches nothing throws std::invalid_argument, with the nearest name.
+  /// Indices of the variables of which any parameter's name matches any pattern, in order. `*`
+  /// stands for any run of characters, `?` for one, `[1-2]` for a range of digits; other brackets
+  /// are taken as they are. A pattern that matches nothing throws std::invalid_argument, with the
+  /// nearest name.
   std::vector<int> select(std::span<const std::string> patterns) const;
 
   /// Values of the selected variables in a parameter vector.
   Eigen::VectorXd gather(const std::vector<int>& selected, const Eigen::VectorXd& parameters) const;
   /// Moves the parameters that follow the selected variables.
-  void scatter(const std::vector<int>& selected, const Eigen::VectorXd& x, Eigen::VectorXd& parameters) const;
+  void scatter(const std::vector<int>& selected, const Eigen::VectorXd& x,
+               Eigen::VectorXd& parameters) const;
   /// Adjoint of scatter: x_bar[k] = sum of factor * parameters_bar over the ties of selected[k].
   void gather_pullback(const std::vector<int>& selected, const Eigen::VectorXd& parameters_bar,
                        Eigen::VectorXd& x_bar) const;

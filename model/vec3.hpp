@@ -2,8 +2,9 @@
 
 #include "model/isa_namespace.hpp"
 
-/// A vector of three numbers of any arithmetic type, for the stages that build nets: double in the program, complex or
-/// dual numbers in tests of their derivatives. Laid out like three consecutive numbers; zero only as Vec3<Real>{}.
+/// A vector of three numbers of any arithmetic type, for the stages that build nets: double in the
+/// program, complex or dual numbers in tests of their derivatives. Laid out like three consecutive
+/// numbers; zero only as Vec3<Real>{}.
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
@@ -43,8 +44,8 @@ Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
 
 /// Pullback of the cross product: adds to the adjoints of both factors.
 template <class Real>
-void cross_pullback(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& bar, Vec3<Real>& a_bar,
-                    Vec3<Real>& b_bar) {
+void cross_pullback(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& bar,
+                    Vec3<Real>& a_bar, Vec3<Real>& b_bar) {
   a_bar += cross(b, bar);
   b_bar += cross(bar, a);
 }

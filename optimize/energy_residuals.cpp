@@ -18,7 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Every face counts twice: side faces for their mirror images, central ones because their left half is summed.
+// Every face counts twice: side faces for their mirror images, central ones because their left half
+// is summed.
 constexpr double both_halves = 2.0;
 
 // One energy on one face: its rows in the residual vector and its quadrature.
@@ -57,9 +58,10 @@ void differentiate(const double* jet, const Function& function, double* value, d
 constexpr int order_u[9] = {1, 0, 2, 1, 0, 3, 2, 1, 0};
 constexpr int order_v[9] = {0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-// Full residuals of a face, nodes * per_node rows, and their Jacobian with respect to its net (and blend).
-void face_residuals(const Block& block, const model::Kernels& kernels, const double* net, const double* blend,
-                    double factor, VectorXd& residual, MatrixXd* jacobian) {
+// Full residuals of a face, nodes * per_node rows, and their Jacobian with respect to its net (and
+// blend).
+void face_residuals(const Block& block, const model::Kernels& kernels, const double* net,
+                    const double* blend, double factor, VectorXd& residual, MatrixXd* jacobian) {
   const model::FaceRule& rule = block.tables->rule();
   const int nodes = rule.nodes, n1 = rule.degree_v + 1, m1 = rule.degree_u + 1;
   const bool bending = block.kind == model::TermKind::bending;
@@ -72,12 +74,16 @@ void face_residuals(const Block& block, const model::Kernels& kernels, const dou
     for (int ku = 0; ku < nodes; ++ku) {
       double jet[27], value[3], derivative[3 * 27];
       for (int q = 0; q < jets; ++q) {
-        for (int c = 0; c < 3; ++c) jet[3 * q + c] = all[((std::size_t(q + 1) * 3 + c) * nodes + kv) * nodes + ku];
+        for (int c = 0; c < 3; ++c)
+          jet[3 * q + c] = all[((std::size_t(q + 1) * 3 + c) * nodes + kv) * nodes + ku];
       }
       if (bending) {
-        differentiate<15, 3>(jet, [](const auto* in, auto* out) { bending_residuals(in, out); }, value, derivative);
+        differentiate<15, 3>(
+            jet, [](const auto* in, auto* out) { bending_residuals(in, out); }, value, derivative);
       } else {
-        differentiate<27, 2>(jet, [](const auto* in, auto* out) { variation_residuals(in, out); }, value, derivative);
+        differentiate<27, 2>(
+            jet, [](const auto* in, auto* out) { variation_residuals(in, out); }, value,
+            derivative);
       }
       const double root = std::sqrt(factor * rule.weights_u[ku] * rule.weights_v[kv]);
       const Index row = (Index(kv) * nodes + ku) * per_node;
@@ -91,7 +97,8 @@ void face_residuals(const Block& block, const model::Kernels& kernels, const dou
           for (int i = 0; i < m1; ++i) {
             for (int j = 0; j < n1; ++j) {
               const double basis = root * bu[i * nodes] * bv[j * nodes];
-              for (int c = 0; c < 3; ++c) (*jacobian)(row + r, 3 * (i * n1 + j) + c) += basis * slope[c];
+              for (int c = 0; c < 3; ++c)
+                (*jacobian)(row + r, 3 * (i * n1 + j) + c) += basis * slope[c];
             }
           }
           if (!rule.blend) continue;
@@ -115,17 +122,20 @@ struct EnergyResiduals::State {
 
   model::Evaluator* evaluator;
   std::vector<Block> blocks;
-  // Terms that are one square root each, and the area that multiplies the variation; each alone with weight 1.
+  // Terms that are one square root each, and the area that multiplies the variation; each alone
+  // with weight 1.
   std::vector<std::pair<double, std::unique_ptr<model::Evaluator>>> roots;
   std::unique_ptr<model::Evaluator> area;
   Index rows = 0;
 };
 
-std::unique_ptr<model::Evaluator> EnergyResiduals::State::single_term(const model::Term& term) const {
+std::unique_ptr<model::Evaluator> EnergyResiduals::State::single_term(
+    const model::Term& term) const {
   model::EvaluatorOptions options = evaluator->options();
   options.terms = {term};
   options.terms.front().weight = 1.0;
-  return std::make_unique<model::Evaluator>(evaluator->shared_context(), evaluator->selected(), options);
+  return std::make_unique<model::Evaluator>(evaluator->shared_context(), evaluator->selected(),
+                                            options);
 }
 
 EnergyResiduals::State::State(model::Evaluator& given) : evaluator(&given) {
@@ -154,13 +164,14 @@ EnergyResiduals::State::State(model::Evaluator& given) : evaluator(&given) {
 void EnergyResiduals::State::add_blocks(int term_index) {
   const model::Term& term = evaluator->options().terms[term_index];
   for (const model::Face& face : evaluator->context().plan.faces(term.stage)) {
-    const bool chosen = term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
-                          return model::name_matches(p, face.name);
-                        });
+    const bool chosen =
+        term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
+          return model::name_matches(p, face.name);
+        });
     if (!chosen) continue;
     Block block{term.kind, term.weight, term_index, &face, nullptr};
-    block.tables = std::make_unique<model::FaceTables>(face.degree_u, face.degree_v, evaluator->options().nodes,
-                                                       range_of(face), face.blend >= 0);
+    block.tables = std::make_unique<model::FaceTables>(
+        face.degree_u, face.degree_v, evaluator->options().nodes, range_of(face), face.blend >= 0);
     block.coordinates = 3 * (face.degree_u + 1) * (face.degree_v + 1) + (face.blend >= 0 ? 3 : 0);
     block.rows = block.coordinates + 1;
     blocks.push_back(std::move(block));
@@ -174,7 +185,8 @@ MatrixXd EnergyResiduals::State::net_jacobian(const Block& block) {
   VectorXd row(evaluator->size());
   const Index net_coordinates = 3 * (block.face->degree_u + 1) * (block.face->degree_v + 1);
   for (Index k = 0; k < block.coordinates; ++k) {
-    const Index at = k < net_coordinates ? 3 * block.face->net + k : 3 * block.face->blend + k - net_coordinates;
+    const Index at =
+        k < net_coordinates ? 3 * block.face->net + k : 3 * block.face->blend + k - net_coordinates;
     bar[at] = 1.0;
     evaluator->build_pullback(bar, row);
     bar[at] = 0.0;
@@ -186,7 +198,8 @@ MatrixXd EnergyResiduals::State::net_jacobian(const Block& block) {
 void EnergyResiduals::State::evaluate_block(const Block& block, double factor, VectorXd& residual,
                                             MatrixXd* jacobian) {
   const double* net = evaluator->nets() + 3 * block.face->net;
-  const double* blend = block.face->blend >= 0 ? evaluator->nets() + 3 * block.face->blend : nullptr;
+  const double* blend =
+      block.face->blend >= 0 ? evaluator->nets() + 3 * block.face->blend : nullptr;
   VectorXd full;
   MatrixXd full_jacobian;
   face_residuals(block, model::kernels(evaluator->options().isa), net, blend, factor, full,
@@ -197,7 +210,8 @@ void EnergyResiduals::State::evaluate_block(const Block& block, double factor, V
     own[0] = full.norm();
     return;
   }
-  // [J r] = Q [R c]: the triangle R and c have the same squares, gradient and normal matrix as J and r.
+  // [J r] = Q [R c]: the triangle R and c have the same squares, gradient and normal matrix as J
+  // and r.
   MatrixXd joined(full.size(), block.coordinates + 1);
   joined.leftCols(block.coordinates) = full_jacobian;
   joined.col(block.coordinates) = full;
@@ -206,10 +220,12 @@ void EnergyResiduals::State::evaluate_block(const Block& block, double factor, V
   MatrixXd triangle = qr.matrixQR().topRows(kept).triangularView<Eigen::Upper>();
   own.head(kept) = triangle.col(block.coordinates);
   jacobian->middleRows(block.first_row, block.rows).setZero();
-  jacobian->middleRows(block.first_row, kept).noalias() = triangle.leftCols(block.coordinates) * net_jacobian(block);
+  jacobian->middleRows(block.first_row, kept).noalias() =
+      triangle.leftCols(block.coordinates) * net_jacobian(block);
 }
 
-void EnergyResiduals::State::evaluate_roots(const VectorXd& x, VectorXd& residual, MatrixXd* jacobian) {
+void EnergyResiduals::State::evaluate_roots(const VectorXd& x, VectorXd& residual,
+                                            MatrixXd* jacobian) {
   Index row = rows - Index(roots.size());
   VectorXd gradient(evaluator->size());
   for (auto& [weight, single] : roots) {
@@ -226,7 +242,8 @@ void EnergyResiduals::State::evaluate_roots(const VectorXd& x, VectorXd& residua
   }
 }
 
-EnergyResiduals::EnergyResiduals(model::Evaluator& evaluator) : state_(std::make_unique<State>(evaluator)) {}
+EnergyResiduals::EnergyResiduals(model::Evaluator& evaluator)
+    : state_(std::make_unique<State>(evaluator)) {}
 EnergyResiduals::~EnergyResiduals() = default;
 
 Eigen::Index EnergyResiduals::count() const { return state_->rows; }
@@ -240,7 +257,8 @@ void EnergyResiduals::evaluate(const VectorXd& x, VectorXd& residual, MatrixXd* 
   if (s.area) area = 1e6 * s.area->evaluate(x, jacobian ? &area_gradient : nullptr);
   for (const Block& block : s.blocks) {
     const bool variation = block.kind == model::TermKind::variation;
-    s.evaluate_block(block, both_halves * block.weight * (variation ? area : 1.0), residual, jacobian);
+    s.evaluate_block(block, both_halves * block.weight * (variation ? area : 1.0), residual,
+                     jacobian);
     if (!variation || !jacobian) continue;
     // r = sqrt(area) rho: the area's own derivative.
     jacobian->middleRows(block.first_row, block.rows) +=

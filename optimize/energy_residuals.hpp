@@ -7,9 +7,10 @@
 
 namespace bodyline::optimize {
 
-/// An evaluator's objective as a sum of squares: the energies node by node, compressed face by face with a QR
-/// decomposition to as many rows as the face's net has coordinates; every other term as one square root. The rows
-/// carry the same cost, gradient and Gauss-Newton matrix as the full residuals.
+/// An evaluator's objective as a sum of squares: the energies node by node, compressed face by face
+/// with a QR decomposition to as many rows as the face's net has coordinates; every other term as
+/// one square root. The rows carry the same cost, gradient and Gauss-Newton matrix as the full
+/// residuals.
 class EnergyResiduals {
  public:
   /// Throws std::invalid_argument when a term has a negative weight.

@@ -13,8 +13,8 @@
 namespace bodyline::optimize {
 namespace {
 
-// How often a run is repeated with a stronger barrier while a face still folds. The barrier sees the nodes only and a
-// face folds at its rim first, so it also starts to act at a smaller turn.
+// How often a run is repeated with a stronger barrier while a face still folds. The barrier sees
+// the nodes only and a face folds at its rim first, so it also starts to act at a smaller turn.
 constexpr int barrier_rounds = 4;
 constexpr double barrier_growth = 10.0;
 constexpr double barrier_cosine_step = 0.1;
@@ -23,10 +23,12 @@ bool on_faces(const model::Term& term) {
   return term.kind != model::TermKind::closeness && term.kind != model::TermKind::fold;
 }
 
-// One barrier for every selection of faces that an objective names, and for the whole patches below a body's.
-// A barrier among the terms is the user's own choice and stays the only one.
+// One barrier for every selection of faces that an objective names, and for the whole patches below
+// a body's. A barrier among the terms is the user's own choice and stays the only one.
 std::vector<model::Term> with_barriers(std::vector<model::Term> terms, double weight) {
-  const auto is_barrier = [](const model::Term& term) { return term.kind == model::TermKind::fold; };
+  const auto is_barrier = [](const model::Term& term) {
+    return term.kind == model::TermKind::fold;
+  };
   if (weight <= 0.0 || std::any_of(terms.begin(), terms.end(), is_barrier)) return terms;
   std::vector<model::Term> barriers;
   const auto add = [&](model::Stage stage, const std::vector<std::string>& faces) {
@@ -50,7 +52,8 @@ std::vector<int> select_variables(const model::VariableMap& map, const FairOptio
     const std::vector<int> held = map.select(options.hold);
     std::erase_if(selected, [&](int v) { return std::binary_search(held.begin(), held.end(), v); });
   }
-  if (selected.empty()) throw std::invalid_argument("every chosen variable is held; nothing is left to vary");
+  if (selected.empty())
+    throw std::invalid_argument("every chosen variable is held; nothing is left to vary");
   return selected;
 }
 
@@ -63,7 +66,8 @@ class Tuner {
         selected_(select_variables(context_->map, options)),
         terms_(with_barriers(options.terms, options.fold_weight)),
         begin_(std::chrono::steady_clock::now()) {
-    if (!(options.within > 0.0)) throw std::invalid_argument("the distance that curves may move must be positive");
+    if (!(options.within > 0.0))
+      throw std::invalid_argument("the distance that curves may move must be positive");
   }
 
   FairResult run();
@@ -88,7 +92,8 @@ class Tuner {
   }
 
   Eigen::VectorXd unfold(const Eigen::VectorXd& x, FairResult& result) const;
-  Eigen::VectorXd search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x, FairResult& result) const;
+  Eigen::VectorXd search(const std::vector<model::Term>& terms, const Eigen::VectorXd& x,
+                         FairResult& result) const;
   Eigen::VectorXd search_unfolded(Eigen::VectorXd x, FairResult& result);
   std::vector<std::string> folded_faces(const Eigen::VectorXd& x) const;
 
@@ -111,9 +116,11 @@ Eigen::VectorXd Tuner::search(const std::vector<model::Term>& terms, const Eigen
   Options search = options_.search;
   // Evaluations and time run on from phase to phase.
   const int before = result.evaluations;
-  const double seconds_before = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  const double seconds_before =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   // The time limit holds for all phases together.
-  if (search.max_seconds > 0.0) search.max_seconds = std::max(1e-3, search.max_seconds - seconds_before);
+  if (search.max_seconds > 0.0)
+    search.max_seconds = std::max(1e-3, search.max_seconds - seconds_before);
   search.on_progress = [&, seconds_before](const Progress& progress) {
     Progress shifted = progress;
     shifted.evaluation += before;
@@ -140,7 +147,8 @@ Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) cons
   unreported.evaluations = result.evaluations;
   Tuner quiet = *this;
   quiet.options_.search.on_progress = {};
-  if (is_global(quiet.options_.search.algorithm) || !uses_gradient(quiet.options_.search.algorithm) ||
+  if (is_global(quiet.options_.search.algorithm) ||
+      !uses_gradient(quiet.options_.search.algorithm) ||
       quiet.options_.search.algorithm == Algorithm::ceres_lm) {
     quiet.options_.search.algorithm = Algorithm::nlopt_lbfgs;
   }
@@ -157,14 +165,17 @@ model::Model Tuner::model_at(const Eigen::VectorXd& x) const {
   return model;
 }
 
-// Faces that the objective looks at, barrier or not, on which a normal turns by more than 90 degrees against the face's mean normal.
+// Faces that the objective looks at, barrier or not, on which a normal turns by more than 90
+// degrees against the face's mean normal.
 std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
   std::vector<std::string> names;
   const model::Model model = model_at(x);
   for (const model::Term& term : with_barriers(options_.terms, 1.0)) {
     if (term.kind != model::TermKind::fold) continue;
-    for (const model::Surface& face : model::build(model, term.stage, model::Halves::left_and_central)) {
-      const bool chosen = term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
+    for (const model::Surface& face :
+         model::build(model, term.stage, model::Halves::left_and_central)) {
+      const bool chosen = term.faces.empty() ||
+                          std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
                             return model::name_matches(p, face.name);
                           });
       if (!chosen || !model::check_fold(face).folded) continue;
@@ -182,7 +193,8 @@ bool is_worse(const FairResult& result, const std::vector<std::string>& folded_a
   return std::isfinite(result.start.value) && !(result.end.value <= result.start.value);
 }
 
-// Searches with ever stronger barriers until nothing folds; otherwise keeps the round with the fewest folds.
+// Searches with ever stronger barriers until nothing folds; otherwise keeps the round with the
+// fewest folds.
 Eigen::VectorXd Tuner::search_unfolded(Eigen::VectorXd x, FairResult& result) {
   std::vector<model::Term> terms = terms_;
   Eigen::VectorXd best;
@@ -193,7 +205,8 @@ Eigen::VectorXd Tuner::search_unfolded(Eigen::VectorXd x, FairResult& result) {
       best = x;
       result.folded_faces = folded;
     }
-    const bool stopped = result.status == Status::interrupted || result.status == Status::time_limit;
+    const bool stopped =
+        result.status == Status::interrupted || result.status == Status::time_limit;
     if (folded.empty() || stopped || options_.fold_weight <= 0.0) break;
     for (model::Term& term : terms) {
       if (term.kind == model::TermKind::fold) term.weight *= barrier_growth;
@@ -235,6 +248,8 @@ FairResult Tuner::run() {
 
 }  // namespace
 
-FairResult fair(const model::Model& model, const FairOptions& options) { return Tuner(model, options).run(); }
+FairResult fair(const model::Model& model, const FairOptions& options) {
+  return Tuner(model, options).run();
+}
 
 }  // namespace bodyline::optimize

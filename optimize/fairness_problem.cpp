@@ -21,7 +21,10 @@ double typical_move(model::ParameterKind kind, double within) {
 }  // namespace
 
 FairnessProblem::FairnessProblem(model::Evaluator& evaluator, double within)
-    : evaluator_(&evaluator), lower_(evaluator.size()), upper_(evaluator.size()), scale_(evaluator.size()) {
+    : evaluator_(&evaluator),
+      lower_(evaluator.size()),
+      upper_(evaluator.size()),
+      scale_(evaluator.size()) {
   const Eigen::VectorXd start = evaluator.start();
   for (int k = 0; k < evaluator.size(); ++k) {
     const model::Variable& variable = evaluator.context().map.variables()[evaluator.selected()[k]];
@@ -36,9 +39,12 @@ double FairnessProblem::value(const Eigen::VectorXd& x, Eigen::VectorXd* gradien
   return evaluator_->evaluate(x, gradient);
 }
 
-void FairnessProblem::use_residuals() { residuals_ = std::make_unique<EnergyResiduals>(*evaluator_); }
+void FairnessProblem::use_residuals() {
+  residuals_ = std::make_unique<EnergyResiduals>(*evaluator_);
+}
 
-void FairnessProblem::residuals(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
+void FairnessProblem::residuals(const Eigen::VectorXd& x, Eigen::VectorXd& r,
+                                Eigen::MatrixXd* jacobian) {
   residuals_->evaluate(x, r, jacobian);
 }
 

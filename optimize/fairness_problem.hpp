@@ -9,7 +9,8 @@
 
 namespace bodyline::optimize {
 
-/// An evaluator's objective as a problem: bounds of the variable map, curve points within a distance of their start.
+/// An evaluator's objective as a problem: bounds of the variable map, curve points within a
+/// distance of their start.
 class FairnessProblem : public Problem {
  public:
   /// `within`: how far each coordinate of a curve point may move, mm, positive.

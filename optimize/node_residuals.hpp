@@ -4,15 +4,16 @@
 
 namespace bodyline::optimize {
 
-/// The energies at one point as sums of squares, for any arithmetic type. `jet` holds the partial derivatives of the
-/// surface as 3 numbers each, in the order Su, Sv, Suu, Suv, Svv, and for the variation also Suuu, Suuv, Suvv, Svvv.
+/// The energies at one point as sums of squares, for any arithmetic type. `jet` holds the partial
+/// derivatives of the surface as 3 numbers each, in the order Su, Sv, Suu, Suv, Svv, and for the
+/// variation also Suuu, Suuv, Suvv, Svvv.
 
 /// First and second fundamental forms of a jet, with the unnormalised normal n = Su x Sv.
 template <class T>
 struct Forms {
-  T e, f, g;        // first form
-  T n[3], d;        // n and |n|^2
-  T l, m, k;        // n . Suu, n . Suv, n . Svv
+  T e, f, g;  // first form
+  T n[3], d;  // n and |n|^2
+  T l, m, k;  // n . Suu, n . Suv, n . Svv
 };
 
 template <class T>
@@ -37,17 +38,18 @@ Forms<T> forms(const T* jet) {
   return r;
 }
 
-/// Three residuals whose squares sum to (k1^2 + k2^2) |n|: the second form in an orthonormal frame, times sqrt |n|.
+/// Three residuals whose squares sum to (k1^2 + k2^2) |n|: the second form in an orthonormal frame,
+/// times sqrt |n|.
 template <class T>
 void bending_residuals(const T* jet, T* residual) {
   using std::sqrt;
   const Forms<T> q = forms(jet);
   // The frame: t1 along Su, t2 = Sv less its part along Su. |t2| |Su| = |n|.
   const T skew = q.f / q.e;
-  const T root = sqrt(sqrt(q.d));           // sqrt |n|
-  const T scale = root / sqrt(q.d);         // second form per |n|, times sqrt |n|
-  const T m = q.m - skew * q.l;             // II(Su, t2)
-  const T k = q.k - skew * (q.m + m);       // II(t2, t2)
+  const T root = sqrt(sqrt(q.d));      // sqrt |n|
+  const T scale = root / sqrt(q.d);    // second form per |n|, times sqrt |n|
+  const T m = q.m - skew * q.l;        // II(Su, t2)
+  const T k = q.k - skew * (q.m + m);  // II(t2, t2)
   residual[0] = scale * q.l / q.e;
   residual[1] = T(std::sqrt(2.0)) * scale * m / sqrt(q.d);
   residual[2] = scale * k * q.e / q.d;

@@ -37,7 +37,8 @@ TEST(ChartAxis, ValuesAndTicksHaveTheirPlacesOverManySizes) {
 
 TEST(ChartAxis, EqualRatiosAreEqualStepsOnALogarithmicScale) {
   const ChartAxis axis({1.0, 1e4}, ChartAxis::Scale::logarithmic);
-  EXPECT_NEAR(axis.position(1e2) - axis.position(1e1), axis.position(1e4) - axis.position(1e3), rounding);
+  EXPECT_NEAR(axis.position(1e2) - axis.position(1e1), axis.position(1e4) - axis.position(1e3),
+              rounding);
   EXPECT_THAT(axis.ticks(), ElementsAre(1.0, 10.0, 100.0, 1000.0, 10000.0));
 }
 

@@ -51,9 +51,11 @@ std::string tag_error(const std::string& page) {
     const bool closing = page[at + 1] == '/';
     const std::size_t name_at = at + (closing ? 2 : 1);
     const std::string name = page.substr(name_at, page.find_first_of(" \t\n/>", name_at) - name_at);
-    if (name.empty() || !std::isalpha(static_cast<unsigned char>(name[0]))) return "a stray < at " + page.substr(at, 40);
+    if (name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])))
+      return "a stray < at " + page.substr(at, 40);
     if (closing) {
-      if (open.empty() || open.back() != name) return "</" + name + "> closes " + (open.empty() ? "nothing" : open.back());
+      if (open.empty() || open.back() != name)
+        return "</" + name + "> closes " + (open.empty() ? "nothing" : open.back());
       open.pop_back();
     } else if (page[end - 1] != '/') {
       open.push_back(name);

@@ -19,7 +19,8 @@ using tests::small_report;
 using tests::tag_error;
 using tests::visible_text;
 
-constexpr std::size_t most_bytes = 6'000'000;  // what mail programs and old laptops take without complaint
+constexpr std::size_t most_bytes =
+    6'000'000;  // what mail programs and old laptops take without complaint
 
 class Report : public testing::Test {
  protected:
@@ -49,7 +50,8 @@ TEST_F(Report, ShowsAllDigitsOfEveryTerm) {
 
 TEST_F(Report, ShowsEveryVariableAndMarksBounds) {
   const std::string text = visible_text(page());
-  for (const char* part : {"shape.hood.u[0]", "-3.5625", "cut.hood.u_lo", "fullness.hood__windshield.a", "1.25"}) {
+  for (const char* part :
+       {"shape.hood.u[0]", "-3.5625", "cut.hood.u_lo", "fullness.hood__windshield.a", "1.25"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
   EXPECT_THAT(text, HasSubstr("upper bound"));
@@ -57,7 +59,8 @@ TEST_F(Report, ShowsEveryVariableAndMarksBounds) {
 }
 
 TEST_F(Report, ShowsTheCommandLine) {
-  EXPECT_THAT(page(), HasSubstr("bodyline fair cars/model1.toml -o tuned.toml --vary &#39;cut.*&#39;"));
+  EXPECT_THAT(page(),
+              HasSubstr("bodyline fair cars/model1.toml -o tuned.toml --vary &#39;cut.*&#39;"));
 }
 
 TEST_F(Report, HasFourPairsOfPictures) {
@@ -93,7 +96,8 @@ TEST_F(Report, NumbersThatDoNotExistAreDashes) {
   const std::regex number("\\b(nan|inf|infinity)\\b", std::regex::icase);
   const std::string text = visible_text(page);
   std::smatch match;
-  EXPECT_FALSE(std::regex_search(text, match, number)) << match.prefix().str().substr(0, 0) << match.str();
+  EXPECT_FALSE(std::regex_search(text, match, number))
+      << match.prefix().str().substr(0, 0) << match.str();
   EXPECT_THAT(page, Not(HasSubstr("=\"nan")));
   EXPECT_THAT(page, Not(HasSubstr("nan%")));
   EXPECT_EQ(tag_error(page), "");

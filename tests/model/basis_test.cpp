@@ -84,7 +84,8 @@ TEST_P(GeBezier, AgreesWithThePrintedFormulas) {
     const double t = (trial + 0.5) / 10.0;
     const BasisJet jet = basis.evaluate(t, shape);
     for (int i = 0; i <= n; ++i) {
-      EXPECT_NEAR(jet.d[0][i], printed_function(n, i, t, shape), rounding * 100) << "function " << i;
+      EXPECT_NEAR(jet.d[0][i], printed_function(n, i, t, shape), rounding * 100)
+          << "function " << i;
     }
   }
 }

@@ -26,7 +26,8 @@ TEST_P(ConstructionBuilder, NetsAgreeWithOneStepAtATime) {
   one.build(body.parameters.data(), model::Stage::body);
   several->build(body.parameters.data(), model::Stage::body);
   const double* expected = &one.nets[0].x;
-  const double scale = Eigen::Map<const Eigen::VectorXd>(expected, 3 * body.plan.point_count).cwiseAbs().maxCoeff();
+  const double scale =
+      Eigen::Map<const Eigen::VectorXd>(expected, 3 * body.plan.point_count).cwiseAbs().maxCoeff();
   for (int k = 0; k < 3 * body.plan.point_count; ++k) {
     EXPECT_NEAR(several->nets()[k], expected[k], builder_tolerance * scale) << "number " << k;
   }
@@ -60,7 +61,8 @@ std::string case_name(const ::testing::TestParamInfo<std::tuple<std::string, mod
 
 INSTANTIATE_TEST_SUITE_P(Bodies, ConstructionBuilder,
                          ::testing::Combine(::testing::ValuesIn(body_names()),
-                                            ::testing::Values(model::Isa::baseline, model::Isa::avx2,
+                                            ::testing::Values(model::Isa::baseline,
+                                                              model::Isa::avx2,
                                                               model::Isa::avx512)),
                          case_name);
 

@@ -16,7 +16,8 @@ using Complex = std::complex<double>;
 constexpr double gradient_tolerance = 1e-10;
 constexpr double complex_step = 1e-100;
 
-Eigen::VectorXd pullback_gradient(const SampleBody& body, model::Stage stage, const std::vector<double>& nets_bar) {
+Eigen::VectorXd pullback_gradient(const SampleBody& body, model::Stage stage,
+                                  const std::vector<double>& nets_bar) {
   model::Construction<double> construction(body.plan);
   construction.build(body.parameters.data(), stage);
   for (int k = 0; k < body.plan.point_count; ++k) {
@@ -27,7 +28,8 @@ Eigen::VectorXd pullback_gradient(const SampleBody& body, model::Stage stage, co
   return gradient;
 }
 
-Eigen::VectorXd complex_gradient(const SampleBody& body, model::Stage stage, const std::vector<double>& nets_bar) {
+Eigen::VectorXd complex_gradient(const SampleBody& body, model::Stage stage,
+                                 const std::vector<double>& nets_bar) {
   model::Construction<Complex> construction(body.plan);
   Eigen::VectorXcd parameters = body.parameters.cast<Complex>();
   Eigen::VectorXd gradient(parameters.size());
@@ -38,14 +40,16 @@ Eigen::VectorXd complex_gradient(const SampleBody& body, model::Stage stage, con
     double sum = 0.0;
     for (int k = 0; k < body.plan.point_count; ++k) {
       const model::Vec3<Complex>& at = construction.nets[k];
-      sum += nets_bar[3 * k] * at.x.imag() + nets_bar[3 * k + 1] * at.y.imag() + nets_bar[3 * k + 2] * at.z.imag();
+      sum += nets_bar[3 * k] * at.x.imag() + nets_bar[3 * k + 1] * at.y.imag() +
+             nets_bar[3 * k + 2] * at.z.imag();
     }
     gradient[p] = sum / complex_step;
   }
   return gradient;
 }
 
-class ConstructionGradient : public ::testing::TestWithParam<std::tuple<std::string, model::Stage>> {};
+class ConstructionGradient
+    : public ::testing::TestWithParam<std::tuple<std::string, model::Stage>> {};
 
 TEST_P(ConstructionGradient, PullbackIsTheComplexStepDerivativeForEveryParameter) {
   const auto& [name, stage] = GetParam();
@@ -72,10 +76,12 @@ TEST_P(ConstructionGradient, PullbackIsTheComplexStepDerivativeForEveryParameter
 
 INSTANTIATE_TEST_SUITE_P(Bodies, ConstructionGradient,
                          ::testing::Combine(::testing::ValuesIn(body_names()),
-                                            ::testing::Values(model::Stage::base, model::Stage::kept,
+                                            ::testing::Values(model::Stage::base,
+                                                              model::Stage::kept,
                                                               model::Stage::body)),
                          [](const auto& at) {
-                           return std::get<0>(at.param) + "_" + model::stage_name(std::get<1>(at.param));
+                           return std::get<0>(at.param) + "_" +
+                                  model::stage_name(std::get<1>(at.param));
                          });
 
 }  // namespace

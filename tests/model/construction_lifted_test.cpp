@@ -34,8 +34,10 @@ TEST(ConstructionLifted, PullbackIsTheDerivativeOnBothBranches) {
     const double floor = 0.5;
     double x_bar = 0.0, floor_bar = 0.0;
     model::lifted_pullback(x, floor, 1.0, x_bar, floor_bar);
-    const double in_x = model::lifted(Complex(x, complex_step), Complex(floor)).imag() / complex_step;
-    const double in_floor = model::lifted(Complex(x), Complex(floor, complex_step)).imag() / complex_step;
+    const double in_x =
+        model::lifted(Complex(x, complex_step), Complex(floor)).imag() / complex_step;
+    const double in_floor =
+        model::lifted(Complex(x), Complex(floor, complex_step)).imag() / complex_step;
     EXPECT_NEAR(x_bar, in_x, rounding);
     EXPECT_NEAR(floor_bar, in_floor, rounding);
   }

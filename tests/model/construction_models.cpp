@@ -56,7 +56,9 @@ const std::vector<std::string>& body_names() {
 
 SampleBody make_body(const std::string& name) {
   std::mt19937 random(seed);
-  const model::Model car = name == "moved" ? moved_car() : name == "box" ? random_box(random) : load_car(name);
+  const model::Model car = name == "moved" ? moved_car()
+                           : name == "box" ? random_box(random)
+                                           : load_car(name);
   model::BodyPlan plan = model::plan_body(car);
   Eigen::VectorXd parameters = model::to_parameters(car, plan.layout);
   return {name, std::move(plan), std::move(parameters)};
@@ -69,7 +71,8 @@ std::vector<double> random_numbers(std::mt19937& random, int count) {
   return numbers;
 }
 
-double block_scale(const model::ParameterLayout& layout, model::ParameterKind kind, const Eigen::VectorXd& values) {
+double block_scale(const model::ParameterLayout& layout, model::ParameterKind kind,
+                   const Eigen::VectorXd& values) {
   double scale = 0.0;
   for (int k = 0; k < layout.size(); ++k) {
     if (layout.kind(k) == kind) scale = std::max(scale, std::abs(values[k]));

@@ -18,8 +18,8 @@ struct SampleBody {
   Eigen::VectorXd parameters;
 };
 
-/// The three cars as they are, model 1 with every independent variable moved at random (cuts 0.05 to 0.3, leans on), and
-/// a box at random.
+/// The three cars as they are, model 1 with every independent variable moved at random (cuts 0.05
+/// to 0.3, leans on), and a box at random.
 const std::vector<std::string>& body_names();
 SampleBody make_body(const std::string& name);
 
@@ -30,6 +30,7 @@ model::Model moved_car();
 std::vector<double> random_numbers(std::mt19937& random, int count);
 
 /// Largest absolute entry of a block of parameters that mean the same: one kind.
-double block_scale(const model::ParameterLayout& layout, model::ParameterKind kind, const Eigen::VectorXd& values);
+double block_scale(const model::ParameterLayout& layout, model::ParameterKind kind,
+                   const Eigen::VectorXd& values);
 
 }  // namespace bodyline::testing

@@ -71,11 +71,14 @@ void append(Numbers<Real>& to, int count, const model::Vec3<Real>* points) {
   for (int k = 0; k < count; ++k) to.insert(to.end(), {points[k].x, points[k].y, points[k].z});
 }
 
-// Numbers at which a stage is regular: points of a grid that goes on along x, y by `step`, moved at random.
-void append_row(Numbers<double>& to, int count, double x0, double y0, double step, std::mt19937& random) {
+// Numbers at which a stage is regular: points of a grid that goes on along x, y by `step`, moved at
+// random.
+void append_row(Numbers<double>& to, int count, double x0, double y0, double step,
+                std::mt19937& random) {
   const Numbers<double> noise = random_numbers(random, 3 * count);
   for (int k = 0; k < count; ++k) {
-    to.insert(to.end(), {x0 + step * k + 0.1 * noise[3 * k], y0 + 0.1 * noise[3 * k + 1], 0.2 * noise[3 * k + 2]});
+    to.insert(to.end(), {x0 + step * k + 0.1 * noise[3 * k], y0 + 0.1 * noise[3 * k + 1],
+                         0.2 * noise[3 * k + 2]});
   }
 }
 
@@ -103,8 +106,8 @@ TEST(ConstructionStages, BaseNetIsAdjointToItsPullback) {
             Reader<double>{x}.points(points, net.data());
             Reader<double>{bar}.points(points, net_bar.data());
             Numbers<double> shape_bar(m + n);
-            model::sq_coons_pullback(m, n, net.data(), &x[3 * points], &x[3 * points] + m - 1, net_bar.data(),
-                                     shape_bar.data(), shape_bar.data() + m - 1);
+            model::sq_coons_pullback(m, n, net.data(), &x[3 * points], &x[3 * points] + m - 1,
+                                     net_bar.data(), shape_bar.data(), shape_bar.data() + m - 1);
             for (int k = 0; k < points; ++k) {
               if (interior(k)) net_bar[k] = model::Vec3<double>{};
             }
@@ -139,7 +142,8 @@ TEST(ConstructionStages, KeptNetIsAdjointToItsPullback) {
             return result;
           },
           [=](const Numbers<double>& x, const Numbers<double>& bar) {
-            Numbers<model::Vec3<double>> net(points), kept(points), kept_bar(points), net_bar(points);
+            Numbers<model::Vec3<double>> net(points), kept(points), kept_bar(points),
+                net_bar(points);
             Reader<double>{x}.points(points, net.data());
             Reader<double>{bar}.points(points, kept_bar.data());
             std::fill(net_bar.begin(), net_bar.end(), model::Vec3<double>{});
@@ -250,7 +254,8 @@ TEST(ConstructionStages, TransitionIsAdjointToItsPullback) {
                                   Reader<double>{w}.points(n + 1, handle_bar);
                                   model::TransitionSide<double> bar;
                                   model::clear(n, bar);
-                                  model::transition_handle_pullback(n, side, leaning, handle_bar, bar);
+                                  model::transition_handle_pullback(n, side, leaning, handle_bar,
+                                                                    bar);
                                   return all_of(bar, n);
                                 }};
       expect_adjoint(stage, side_numbers(n, random), random);
@@ -258,14 +263,16 @@ TEST(ConstructionStages, TransitionIsAdjointToItsPullback) {
   }
 }
 
-// `towards` is how far the free edge leads away from the side: negative where the reach must be lifted.
+// `towards` is how far the free edge leads away from the side: negative where the reach must be
+// lifted.
 void expect_uncut_adjoint(double towards, std::mt19937& random) {
   for (int n = 1; n <= model::max_patch_degree; ++n) {
     const StageFunction stage{
         [=](const Numbers<Complex>& x) {
           Reader<Complex> reader{x};
           const auto side = read_side(reader, n);
-          model::Vec3<Complex> target[2], edge[model::max_patch_degree + 2], handle[model::max_patch_degree + 2];
+          model::Vec3<Complex> target[2], edge[model::max_patch_degree + 2],
+              handle[model::max_patch_degree + 2];
           reader.points(2, target);
           model::UncutTrace<Complex> trace;
           model::uncut_handle(n, side, target, reader.number(), edge, handle, trace);
@@ -277,19 +284,22 @@ void expect_uncut_adjoint(double towards, std::mt19937& random) {
         [=](const Numbers<double>& x, const Numbers<double>& w) {
           Reader<double> reader{x}, bars{w};
           const auto side = read_side(reader, n);
-          model::Vec3<double> target[2], edge[model::max_patch_degree + 2], handle[model::max_patch_degree + 2];
+          model::Vec3<double> target[2], edge[model::max_patch_degree + 2],
+              handle[model::max_patch_degree + 2];
           reader.points(2, target);
           const double width = reader.number();
           model::UncutTrace<double> trace;
           model::uncut_handle(n, side, target, width, edge, handle, trace);
-          EXPECT_EQ(trace.solution[0].p < model::least_uncut_reach * side.fullness * width, towards < 0.0);
+          EXPECT_EQ(trace.solution[0].p < model::least_uncut_reach * side.fullness * width,
+                    towards < 0.0);
           model::Vec3<double> target_bar[2] = {};
           bars.points(n + 2, edge);
           bars.points(n + 2, handle);
           model::TransitionSide<double> bar;
           model::clear(n, bar);
           double width_bar = 0.0;
-          model::uncut_handle_pullback(n, side, target, width, trace, edge, handle, bar, target_bar, width_bar);
+          model::uncut_handle_pullback(n, side, target, width, trace, edge, handle, bar, target_bar,
+                                       width_bar);
           Numbers<double> result = all_of(bar, n);
           append(result, 2, target_bar);
           result.push_back(width_bar);
@@ -314,43 +324,46 @@ TEST(ConstructionStages, LiftedUncutSideIsAdjointToItsPullback) {
 
 TEST(ConstructionStages, CornerIsAdjointToItsPullback) {
   std::mt19937 random(8);
-  for (const model::CornerShape shape : {model::CornerShape{false, false}, {false, true}, {true, false}}) {
+  for (const model::CornerShape shape :
+       {model::CornerShape{false, false}, {false, true}, {true, false}}) {
     const auto read = [=](auto reader, auto* edges) {
       for (int e = 0; e < 4; ++e) {
         reader.points(4, edges[e].curve);
         reader.points(4, edges[e].inward);
       }
     };
-    const StageFunction stage{
-        [=](const Numbers<Complex>& x) {
-          model::TransitionEnd<Complex> edges[4];
-          read(Reader<Complex>{x}, edges);
-          model::CornerTrace<Complex> trace;
-          model::Vec3<Complex> net[model::corner_points], blend;
-          model::corner_net(shape, edges, trace, net, &blend);
-          Numbers<Complex> result;
-          append(result, model::corner_points, net);
-          append(result, 1, &blend);
-          return result;
-        },
-        [=](const Numbers<double>& x, const Numbers<double>& w) {
-          model::TransitionEnd<double> edges[4], bar[4] = {};
-          read(Reader<double>{x}, edges);
-          model::CornerTrace<double> trace;
-          model::Vec3<double> net[model::corner_points], blend;
-          model::corner_net(shape, edges, trace, net, &blend);
-          Reader<double> bars{w};
-          bars.points(model::corner_points, net);
-          model::corner_net_pullback(shape, edges, trace, net, bars.point(), bar);
-          Numbers<double> result;
-          for (int e = 0; e < 4; ++e) {
-            append(result, 4, bar[e].curve);
-            append(result, 4, bar[e].inward);
-          }
-          return result;
-        }};
-    // A square's edges with the derivative into it; the top edge of a three-sided corner is fed like any other.
-    const double ends[4][2][2] = {{{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}, {{0, 0}, {0, 1}}, {{1, 0}, {1, 1}}};
+    const StageFunction stage{[=](const Numbers<Complex>& x) {
+                                model::TransitionEnd<Complex> edges[4];
+                                read(Reader<Complex>{x}, edges);
+                                model::CornerTrace<Complex> trace;
+                                model::Vec3<Complex> net[model::corner_points], blend;
+                                model::corner_net(shape, edges, trace, net, &blend);
+                                Numbers<Complex> result;
+                                append(result, model::corner_points, net);
+                                append(result, 1, &blend);
+                                return result;
+                              },
+                              [=](const Numbers<double>& x, const Numbers<double>& w) {
+                                model::TransitionEnd<double> edges[4], bar[4] = {};
+                                read(Reader<double>{x}, edges);
+                                model::CornerTrace<double> trace;
+                                model::Vec3<double> net[model::corner_points], blend;
+                                model::corner_net(shape, edges, trace, net, &blend);
+                                Reader<double> bars{w};
+                                bars.points(model::corner_points, net);
+                                model::corner_net_pullback(shape, edges, trace, net, bars.point(),
+                                                           bar);
+                                Numbers<double> result;
+                                for (int e = 0; e < 4; ++e) {
+                                  append(result, 4, bar[e].curve);
+                                  append(result, 4, bar[e].inward);
+                                }
+                                return result;
+                              }};
+    // A square's edges with the derivative into it; the top edge of a three-sided corner is fed
+    // like any other.
+    const double ends[4][2][2] = {
+        {{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}, {{0, 0}, {0, 1}}, {{1, 0}, {1, 1}}};
     const double inward[4][2] = {{0, 1}, {0, 1}, {1, 0}, {1, 0}};
     Numbers<double> x;
     for (int e = 0; e < 4; ++e) {
@@ -358,7 +371,9 @@ TEST(ConstructionStages, CornerIsAdjointToItsPullback) {
       for (int t = 0; t < 8; ++t) {
         for (int c = 0; c < 3; ++c) {
           const double along = t / 3.0;
-          const double plain = c == 2 ? 0.0 : t < 4 ? ends[e][0][c] * (1 - along) + ends[e][1][c] * along : inward[e][c];
+          const double plain = c == 2  ? 0.0
+                               : t < 4 ? ends[e][0][c] * (1 - along) + ends[e][1][c] * along
+                                       : inward[e][c];
           x.push_back(plain + 0.1 * noise[3 * t + c]);
         }
       }

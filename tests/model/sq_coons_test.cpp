@@ -123,7 +123,8 @@ TEST_P(SqCoons, PullbackIsTheAdjointOfItsLinearPart) {
   std::vector<double> su = shape_u, sv = shape_v;
   for (std::size_t k = 0; k < du.size(); ++k) su[k] += du[k], predicted += u_bar[k] * du[k];
   for (std::size_t k = 0; k < dv.size(); ++k) sv[k] += dv[k], predicted += v_bar[k] * dv[k];
-  // First the shapes at the old boundary, then the boundary at the old shapes: no product of both moves.
+  // First the shapes at the old boundary, then the boundary at the old shapes: no product of both
+  // moves.
   double actual = 0.0;
   sq_coons(m, n, moved.data(), su.data(), sv.data());
   for (std::size_t k = 0; k < net.size(); ++k) actual += dot(bar[k], moved[k] - net[k]);
