@@ -88,7 +88,7 @@ std::string row(const EdgePair& pair) {
                            : pair.after->pillar         ? "corner at a seam"
                                                         : model::edge_kind_name(pair.after->kind);
   return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>{}{}{}</tr>\n",
-                     html_name(pair.after->name), kind,
+                     html_escaped(pair.after->name), kind,
                      change_cell(before.normal_deviation_deg, after.normal_deviation_deg, rounding,
                                  is_kinked(*pair.after)),
                      change_cell(before.gap_mm, after.gap_mm, rounding, is_open(*pair.after)),
@@ -98,7 +98,7 @@ std::string row(const EdgePair& pair) {
 
 std::string table(const std::vector<EdgePair>& pairs, std::size_t first, std::size_t last) {
   std::string html =
-      "<div class=\"scroll\"><table class=\"edges\">\n<thead><tr><th scope=\"col\">Edge</th><th "
+      "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Edge</th><th "
       "scope=\"col\">Kind</th>"
       "<th class=\"number\" scope=\"col\">Kink, degrees</th><th class=\"number\" "
       "scope=\"col\">Gap, mm</th>"

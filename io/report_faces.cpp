@@ -42,7 +42,8 @@ std::string turn_cell(const model::FaceCheck& face) {
 }
 
 std::string row(const FacePair& pair) {
-  return fmt::format("<tr><th scope=\"row\">{}{}</th>{}{}{}{}</tr>\n", html_name(pair.after->name),
+  return fmt::format("<tr><th scope=\"row\">{}{}</th>{}{}{}{}</tr>\n",
+                     html_escaped(pair.after->name),
                      pair.after->mirrored ? " <small>×&#8239;2</small>" : "",
                      html_number_cell(pair.before->integrals.bending),
                      html_number_cell(pair.after->integrals.bending), turn_cell(*pair.before),

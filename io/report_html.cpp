@@ -64,16 +64,6 @@ std::string html_escaped(std::string_view text) {
   return escaped;
 }
 
-std::string html_name(std::string_view name) {
-  std::string broken;
-  for (const char c : html_escaped(name)) {
-    if (!broken.empty() && broken.back() == '_' && c != '_') broken += "<wbr/>";
-    broken += c;
-    if (c == '.') broken += "<wbr/>";
-  }
-  return broken;
-}
-
 std::string html_number(double value, int digits) {
   if (!std::isfinite(value)) return dash;
   if (is_plain(value)) return with_minus(plain_decimal(value, digits));

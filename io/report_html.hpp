@@ -12,9 +12,6 @@ namespace bodyline::io {
 /// `text` with the characters that mean something in HTML, quotes included, written as entities.
 std::string html_escaped(std::string_view text);
 
-/// A name of a model, which may be broken into lines after its underscores and dots.
-std::string html_name(std::string_view name);
-
 /// A number for reading: `digits` significant ones, powers of ten as such ("2.1 · 10^-13" with a
 /// raised exponent), a dash where there is none (NaN, infinite).
 std::string html_number(double value, int digits = 4);

@@ -24,7 +24,7 @@ std::string report_terms_section(const FairReport& report) {
       "<section>\n<h2>Objective</h2>\n<p class=\"lead\">What was minimized: the sum of the terms, "
       "each times "
       "its weight. Values are those of the whole body, both sides.</p>\n<div "
-      "class=\"scroll\"><table class=\"terms\">\n"
+      "class=\"scroll\"><table>\n"
       "<thead><tr><th scope=\"col\">Term</th><th class=\"number\" scope=\"col\">Weight</th>"
       "<th class=\"number\" scope=\"col\">Before</th><th class=\"number\" scope=\"col\">After</th>"
       "<th class=\"number\" scope=\"col\">Before ÷ after</th></tr></thead>\n<tbody>\n";

@@ -66,7 +66,7 @@ std::string row(const ReportVariable& variable) {
   return fmt::format(
       "<tr{}><th scope=\"row\">{}</th>{}{}{}<td class=\"track\" title=\"{} to "
       "{}\">{}</td><td>{}</td></tr>\n",
-      bound.empty() ? "" : " class=\"at-bound\"", html_name(variable.name),
+      bound.empty() ? "" : " class=\"at-bound\"", html_escaped(variable.name),
       html_number_cell(variable.before), html_number_cell(variable.after),
       html_number_cell(variable.after - variable.before, 3), plain_number(variable.lower),
       plain_number(variable.upper), track(variable), bound);
@@ -77,8 +77,7 @@ std::string group(const Kind& kind, const std::vector<const ReportVariable*>& va
     return *bound_reached(*v) != '\0';
   });
   std::string html = fmt::format(
-      "<div class=\"group\">\n<h3>{} <small>{}: {}{}</small></h3>\n<div class=\"scroll\"><table "
-      "class=\"moves\">\n"
+      "<div class=\"group\">\n<h3>{} <small>{}: {}{}</small></h3>\n<div class=\"scroll\"><table>\n"
       "<thead><tr><th scope=\"col\">Variable</th><th class=\"number\" scope=\"col\">Start</th>"
       "<th class=\"number\" scope=\"col\">End</th><th class=\"number\" scope=\"col\">Move</th>"
       "<th class=\"track\" scope=\"col\">Within the bounds</th><th "

@@ -77,8 +77,8 @@ std::string visible_text(const std::string& page) {
     const std::string tag = page.substr(begin, std::min<std::size_t>(end - begin, 400));
     std::smatch match;
     if (std::regex_search(tag, match, title)) text += " " + match[1].str() + " ";
+    text += " ";
     const std::string name = tag.substr(1, tag.find(' ') - 1);
-    if (name != "wbr/") text += " ";  // where a name may be broken
     at = is_raw(name) ? page.find("</" + name, end) : end + 1;
   }
   return text;
