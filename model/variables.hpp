@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/connect.hpp"
+#include "model/name_matches.hpp"
 #include "model/parameters.hpp"
 
 /// The independent variables of a body. Parameters that mirror symmetry, shared curve ends or seams
@@ -54,10 +55,8 @@ class VariableMap {
   /// the symmetry plane).
   int variable_of(int parameter) const { return owner_[parameter]; }
 
-  /// Indices of the variables of which any parameter's name matches any pattern, in order. `*`
-  /// stands for any run of characters, `?` for one, `[1-2]` for a range of digits; other brackets
-  /// are taken as they are. A pattern that matches nothing throws std::invalid_argument, with the
-  /// nearest name.
+  /// Indices of the variables of which any parameter's name matches any pattern (`name_matches`),
+  /// in order. A pattern that matches nothing throws std::invalid_argument, with the nearest name.
   std::vector<int> select(std::span<const std::string> patterns) const;
 
   /// Values of the selected variables in a parameter vector.
@@ -75,8 +74,5 @@ class VariableMap {
   std::vector<Variable> variables_;
   std::vector<int> owner_;
 };
-
-/// Whether a name matches a pattern as VariableMap::select understands it.
-bool name_matches(const std::string& pattern, const std::string& name);
 
 }  // namespace bodyline::model
