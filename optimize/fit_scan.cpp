@@ -10,6 +10,7 @@
 #include "optimize/fit_variables.hpp"
 #include "optimize/folded_scan.hpp"
 #include "optimize/minimize.hpp"
+#include "optimize/rim_pulls.hpp"
 #include "optimize/robust_pulls.hpp"
 #include "optimize/scan_match.hpp"
 #include "optimize/scan_term.hpp"
@@ -43,8 +44,6 @@ class Fitter {
  private:
   void warp(const model::Scan& scan);
   void run_phase(const Phase& phase, const model::Scan& scan);
-  double match(const ScanMatcher& matcher, const model::Scan& scan, const double* nets,
-               double scale, ScanTerm& term) const;
   void report(const Phase& phase, int round, double distance);
   bool stopped() const { return options_.should_stop && options_.should_stop(); }
 
@@ -66,14 +65,10 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Sets the term to the matches at the nets; returns the median distance.
-double Fitter::match(const ScanMatcher& matcher, const model::Scan& scan, const double* nets,
-                     double scale, ScanTerm& term) const {
-  const std::vector<Match> matches = matcher.match(nets);
-  term.set(matches, robust_pulls(matches, scan, scale));
+double median_distance(const std::vector<Match>& matches) {
   std::vector<double> distances;
   for (const Match& one : matches) distances.push_back(std::abs(one.distance));
-  return median(distances);
+  return median(std::move(distances));
 }
 
 void Fitter::report(const Phase& phase, int round, double distance) {
@@ -91,6 +86,8 @@ void Fitter::run_phase(const Phase& phase, const model::Scan& scan) {
   options.net_terms = {{term, 1.0}, {nullptr, phase.stay}};
   MatchOptions matching;
   const ScanMatcher matcher(context->plan, phase.stage, scan, matching);
+  const RimPuller puller(context->plan, phase.stage, scan);
+  const auto rims = rims_of(context->plan, phase.stage);
   VectorXd x = variables.start();
   std::vector<double> nets(3 * std::size_t(context->plan.point_count));
   model::EvaluatorOptions plain;
@@ -99,8 +96,14 @@ void Fitter::run_phase(const Phase& phase, const model::Scan& scan) {
   for (int round = 0; round < phase.rounds && !stopped(); ++round) {
     builder.build(variables.expand(x));
     std::copy(builder.nets(), builder.nets() + nets.size(), nets.begin());
-    const double distance = match(matcher, scan, nets.data(), scale_of_round(phase, round), *term);
-    report(phase, round, distance);
+    std::vector<Match> matches = matcher.match(nets.data());
+    report(phase, round, median_distance(matches));
+    const PullReach reach{scale_of_round(phase, round),
+                          std::max(options_.least_rim_reach, 2.0 * scale_of_round(phase, round))};
+    std::vector<MatchPull> pulls = robust_pulls(matches, scan, rims, reach);
+    puller.append(nets.data(), reach.rim, options_.rims * double(scan.points.size()), matches,
+                  pulls);
+    term->set(matches, pulls);
     options.net_terms[1].term = std::make_shared<model::Closeness>(context->plan, nets.data());
     model::Evaluator evaluator(context, variables.selected(), options);
     FitProblem problem(evaluator, variables);

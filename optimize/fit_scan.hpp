@@ -23,6 +23,8 @@ struct FitOptions {
   int warp_rounds = 15, curve_rounds = 15, body_rounds = 20;
   double far = 250.0;              ///< distance beyond which a point hardly counts, at first, mm
   double near = 6.0;               ///< and at last
+  double least_rim_reach = 60.0;   ///< beyond rims, at last, mm
+  double rims = 0.1;               ///< weight of the body's rims against all points
   double bending = 2e-3;           ///< weight of the bending energy against squared mm
   double stay = 3e-5;              ///< weight of a round's moves (mean square of the nets')
   model::VariableBounds bounds{};  ///< of cuts, fullness and lean

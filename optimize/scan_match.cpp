@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <nanoflann.hpp>
 
-#include "model/bernstein.hpp"
+#include "optimize/scan_tree.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -16,21 +15,12 @@ using Eigen::Vector3d;
 
 constexpr int chunk = 512;  // points for one task, a multiple of the kernels' 8
 
-// Samples of all faces, as points of six coordinates: position and scaled normal.
+// Samples of all faces, to be searched.
 struct FaceSamples {
-  std::vector<std::array<double, 6>> points;
+  std::vector<SearchTree::Key> keys;
   std::vector<int> face;
   std::vector<std::array<double, 2>> parameters;
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t k, std::size_t c) const { return points[k][c]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
 };
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FaceSamples>,
-                                                 FaceSamples, 6>;
 
 // One face tried for one point.
 struct Try {
@@ -86,8 +76,8 @@ FaceSamples sample_faces(const model::BodyPlan& plan, model::Stage stage, const 
                         arrays(columns, count));
     const double scale = with_normals ? (face.inward ? -1.0 : 1.0) * options.normal_length : 0.0;
     for (int k = 0; k < count; ++k) {
-      samples.points.push_back({columns[5][k], columns[6][k], columns[7][k], scale * columns[8][k],
-                                scale * columns[9][k], scale * columns[10][k]});
+      samples.keys.push_back({columns[5][k], columns[6][k], columns[7][k], scale * columns[8][k],
+                              scale * columns[9][k], scale * columns[10][k]});
       samples.face.push_back(f);
       samples.parameters.push_back({columns[3][k], columns[4][k]});
     }
@@ -99,22 +89,15 @@ FaceSamples sample_faces(const model::BodyPlan& plan, model::Stage stage, const 
 // fewer are near.
 std::vector<Try> choose_tries(const FaceSamples& samples, const model::Scan& scan,
                               const MatchOptions& options) {
-  const Tree tree(6, samples, nanoflann::KDTreeSingleIndexAdaptorParams(8));
+  const SearchTree tree(samples.keys);
   const int per_point = options.candidates;
-  const std::size_t near = std::min<std::size_t>(4 * per_point, samples.points.size());
   std::vector<Try> tries(scan.points.size() * per_point);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scan.points.size(), chunk), [&](auto range) {
-    std::vector<std::size_t> index(near);
-    std::vector<double> squared(near);
+    std::vector<std::size_t> index(std::min<std::size_t>(4 * per_point, samples.keys.size()));
     for (std::size_t p = range.begin(); p < range.end(); ++p) {
-      double query[6] = {};
-      for (int c = 0; c < 3; ++c) {
-        query[c] = scan.points[p][c];
-        if (!scan.normals.empty()) query[3 + c] = options.normal_length * scan.normals[p][c];
-      }
-      nanoflann::KNNResultSet<double> found(near);
-      found.init(index.data(), squared.data());
-      tree.findNeighbors(found, query, nanoflann::SearchParams());
+      const Vector3d normal = scan.normals.empty() ? Vector3d(Vector3d::Zero()) : scan.normals[p];
+      const std::size_t near =
+          tree.nearest(SearchTree::key(scan.points[p], normal, options.normal_length), index);
       Try* const own = tries.data() + p * per_point;
       int taken = 0;
       for (std::size_t k = 0; k < near && taken < per_point; ++k) {
