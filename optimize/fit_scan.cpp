@@ -82,7 +82,7 @@ void Fitter::run_phase(const Phase& phase, const model::Scan& scan) {
   const auto term = std::make_shared<ScanTerm>(context->plan, phase.stage);
   model::EvaluatorOptions options;
   options.terms = {{model::TermKind::bending, phase.bending, phase.stage, {}},
-                   {model::TermKind::fold, 10.0, phase.stage, {}}};
+                   {model::TermKind::fold, options_.fold, phase.stage, {}}};
   options.net_terms = {{term, 1.0}, {nullptr, phase.stay}};
   MatchOptions matching;
   const ScanMatcher matcher(context->plan, phase.stage, scan, matching);

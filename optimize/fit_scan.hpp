@@ -26,6 +26,7 @@ struct FitOptions {
   double least_rim_reach = 60.0;   ///< beyond rims, at last, mm
   double rims = 0.1;               ///< weight of the body's rims against all points
   double bending = 2e-3;           ///< weight of the bending energy against squared mm
+  double fold = 1e3;               ///< weight of the barrier against folds
   double stay = 3e-5;              ///< weight of a round's moves (mean square of the nets')
   model::VariableBounds bounds{};  ///< of cuts, fullness and lean
   std::function<void(const FitProgress&)> on_progress;
