@@ -71,6 +71,7 @@ struct RimPuller::State {
   const model::Scan* scan;
   std::vector<Rim> rims;
   SearchTree tree;
+  double tolerance = 0.0;  // the scan's points are not denser
 };
 
 namespace {
@@ -85,10 +86,28 @@ std::vector<SearchTree::Key> scan_keys(const model::Scan& scan) {
   return keys;
 }
 
+// Twice the median distance of neighbours.
+double point_spacing(const model::Scan& scan) {
+  std::vector<SearchTree::Key> keys;
+  for (const Vector3d& point : scan.points)
+    keys.push_back(SearchTree::key(point, Vector3d::Zero(), 0.0));
+  const SearchTree tree(keys);
+  std::vector<double> distances;
+  for (std::size_t k = 0; k < keys.size(); k += 1 + keys.size() / 1000) {
+    std::size_t nearest[4];
+    if (tree.nearest(keys[k], nearest) == 4)
+      distances.push_back((scan.points[nearest[3]] - scan.points[k]).norm());
+  }
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + distances.size() / 2;
+  std::nth_element(distances.begin(), middle, distances.end());
+  return 2.0 * *middle;
+}
+
 }  // namespace
 
 RimPuller::RimPuller(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan)
-    : state_(new State{&plan, stage, &scan, {}, SearchTree(scan_keys(scan))}) {
+    : state_(new State{&plan, stage, &scan, {}, SearchTree(scan_keys(scan)), point_spacing(scan)}) {
   const auto rims = rims_of(plan, stage);
   for (int f = 0; f < int(rims.size()); ++f) {
     for (const model::Side side : model::all_sides) {
@@ -117,12 +136,13 @@ void RimPuller::append(const double* nets, double reach, double weight, std::vec
           s.scan->normals.empty() ? Vector3d(Vector3d::Zero()) : point.match.normal;
       s.tree.nearest(SearchTree::key(point.match.foot, normal, normal_length), nearest);
       const Vector3d target = s.scan->points[nearest[0]];
-      const double beyond = -(target - point.match.foot).dot(point.outward);
+      const double beyond =
+          -(target - point.match.foot).dot(point.outward) - s.tolerance;
       const double q = beyond / reach, root = 1.0 / (1.0 + q * q);
       const double pull = beyond > 0.0 ? each * root * root : 0.0;
       point.match.distance = beyond;
       matches.push_back(point.match);
-      pulls.push_back({target, pull * point.outward * point.outward.transpose()});
+      pulls.push_back({point.match.foot - beyond * point.outward, pull * point.outward * point.outward.transpose()});
     }
   }
 }

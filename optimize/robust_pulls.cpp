@@ -36,9 +36,12 @@ std::vector<MatchPull> robust_pulls(const std::vector<Match>& matches, const mod
       weight *= cosine * cosine;
     }
     Eigen::Matrix3d pull = match.normal * match.normal.transpose();
+    const bool at_end = (match.u <= 0.0 || match.u >= 1.0) && (match.v <= 0.0 || match.v >= 1.0);
+    if (at_rim && at_end) weight = 0.0;
     if (at_rim && beyond > 0.0) {
       const double rim_weight = geman_mcclure(beyond, reach.rim);
       weight *= rim_weight;
+      if (!scan.normals.empty() && match.normal.dot(scan.normals[k]) < 0.7) weight = 0.0;
       pull += along * along.transpose() / (beyond * beyond);
     }
     pulls.push_back({scan.points[k], weight * pull});
