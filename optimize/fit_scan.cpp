@@ -3,159 +3,129 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
+#include <stdexcept>
 
-#include "model/closeness.hpp"
-#include "model/selection.hpp"
-#include "optimize/fit_variables.hpp"
+#include "model/build.hpp"
+#include "model/check_fold.hpp"
+#include "optimize/fit_phase.hpp"
 #include "optimize/folded_scan.hpp"
-#include "optimize/minimize.hpp"
-#include "optimize/rim_pulls.hpp"
-#include "optimize/robust_pulls.hpp"
-#include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
 
-using Eigen::VectorXd;
+// From round to round of unfolding.
+constexpr double fold_growth = 10.0;
+constexpr double fold_cosine_step = 0.1;
+constexpr double rims_decay = 0.5;  // a rim that the scan does not show well may be what folds
 
-// One phase of a fit: what moves, at which stage, and how the scale of outliers shrinks.
-struct Phase {
-  const char* name;
-  model::Stage stage;
-  std::vector<std::string> vary;
-  int rounds = 0;
-  double first_scale = 0.0, last_scale = 0.0;  // mm
-  double bending = 0.0, stay = 0.0;            // weights
-  int evaluations = 0;                         // most of a round
-};
+using Clock = std::chrono::steady_clock;
+
+// Scales shrink geometrically from the first round to the last.
+double scale_of(double first, double last, int round, int rounds) {
+  const double share = rounds > 1 ? double(round) / (rounds - 1) : 1.0;
+  return first * std::pow(last / first, share);
+}
+
+std::vector<std::string> folded_faces(const model::Model& model) {
+  std::vector<std::string> names;
+  for (const model::Stage stage : {model::Stage::base, model::Stage::body}) {
+    for (const model::Surface& face : model::build(model, stage, model::Halves::left_and_central)) {
+      if (!model::check_fold(face).folded) continue;
+      names.push_back(face.name + (stage == model::Stage::base ? " (whole patch)" : ""));
+    }
+  }
+  return names;
+}
 
 class Fitter {
  public:
-  Fitter(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
-         const FitOptions& options)
-      : scan_(&scan), pose_(&pose), options_(options) {
+  Fitter(const FitOptions& options, const model::Model& start) : options_(options) {
     result_.model = start;
   }
-
-  FitResult run();
+  FitResult run(const model::Scan& coarse, const model::Scan& fine);
 
  private:
-  void warp(const model::Scan& scan);
-  void run_phase(const Phase& phase, const model::Scan& scan);
-  void report(const Phase& phase, int round, double distance);
+  FitPhaseOptions phase_options(model::Stage stage, std::vector<std::string> vary, double bending,
+                                int evaluations) const;
+  void run_rounds(FitPhase& phase, const std::string& name, int rounds, double first, double last);
+  void unfold(FitPhase& phase);
+  void one_round(FitPhase& phase, const std::string& name, int index, int rounds,
+                 const FitRound& round);
   bool stopped() const { return options_.should_stop && options_.should_stop(); }
 
-  const model::Scan* scan_;
-  const model::Pose* pose_;
   FitOptions options_;
   FitResult result_;
+  Clock::time_point begin_ = Clock::now();
 };
 
-double scale_of_round(const Phase& phase, int round) {
-  const double share = phase.rounds > 1 ? double(round) / (phase.rounds - 1) : 1.0;
-  return phase.first_scale * std::pow(phase.last_scale / phase.first_scale, share);
+FitPhaseOptions Fitter::phase_options(model::Stage stage, std::vector<std::string> vary,
+                                      double bending, int evaluations) const {
+  FitPhaseOptions phase;
+  phase.stage = stage;
+  phase.vary = std::move(vary);
+  phase.bounds = options_.bounds;
+  phase.bending = bending;
+  phase.stay = options_.stay;
+  phase.evaluations = evaluations;
+  phase.should_stop = options_.should_stop;
+  return phase;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+void Fitter::one_round(FitPhase& phase, const std::string& name, int index, int rounds,
+                       const FitRound& round) {
+  FitProgress progress{name, index + 1, rounds, phase.run(round), 0.0};
+  progress.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  result_.history.push_back(progress);
+  if (options_.on_progress) options_.on_progress(progress);
 }
 
-double median_distance(const std::vector<Match>& matches) {
-  std::vector<double> distances;
-  for (const Match& one : matches) distances.push_back(std::abs(one.distance));
-  return median(std::move(distances));
-}
-
-void Fitter::report(const Phase& phase, int round, double distance) {
-  result_.history.push_back({phase.name, round + 1, phase.rounds, distance});
-  if (options_.on_progress) options_.on_progress(result_.history.back());
-}
-
-void Fitter::run_phase(const Phase& phase, const model::Scan& scan) {
-  const auto context = std::make_shared<model::BodyContext>(result_.model, options_.bounds);
-  const FitVariables variables(*context, phase.vary, phase.stage);
-  const auto term = std::make_shared<ScanTerm>(context->plan, phase.stage);
-  model::EvaluatorOptions options;
-  options.terms = {{model::TermKind::bending, phase.bending, phase.stage, {}},
-                   {model::TermKind::fold, options_.fold, phase.stage, {}}};
-  options.net_terms = {{term, 1.0}, {nullptr, phase.stay}};
-  MatchOptions matching;
-  const ScanMatcher matcher(context->plan, phase.stage, scan, matching);
-  const RimPuller puller(context->plan, phase.stage, scan);
-  const auto rims = rims_of(context->plan, phase.stage);
-  VectorXd x = variables.start();
-  std::vector<double> nets(3 * std::size_t(context->plan.point_count));
-  model::EvaluatorOptions plain;
-  plain.stage = phase.stage;
-  model::Evaluator builder(context, variables.selected(), plain);
-  for (int round = 0; round < phase.rounds && !stopped(); ++round) {
-    builder.build(variables.expand(x));
-    std::copy(builder.nets(), builder.nets() + nets.size(), nets.begin());
-    std::vector<Match> matches = matcher.match(nets.data());
-    report(phase, round, median_distance(matches));
-    const PullReach reach{scale_of_round(phase, round),
-                          std::max(options_.least_rim_reach, 2.0 * scale_of_round(phase, round))};
-    std::vector<MatchPull> pulls = robust_pulls(matches, scan, rims, reach);
-    puller.append(nets.data(), reach.rim, options_.rims * double(scan.points.size()), matches,
-                  pulls);
-    term->set(matches, pulls);
-    options.net_terms[1].term = std::make_shared<model::Closeness>(context->plan, nets.data());
-    model::Evaluator evaluator(context, variables.selected(), options);
-    FitProblem problem(evaluator, variables);
-    Options search;
-    search.max_evaluations = phase.evaluations;
-    search.relative_improvement = 1e-4;
-    search.should_stop = options_.should_stop;
-    const Result found = minimize(problem, x, search);
-    x = found.x;
+void Fitter::run_rounds(FitPhase& phase, const std::string& name, int rounds, double first,
+                        double last) {
+  for (int k = 0; k < rounds && !stopped(); ++k) {
+    const double scale = scale_of(first, last, k, rounds);
+    one_round(
+        phase, name, k, rounds,
+        {{scale, std::max(options_.rim_near, 2.0 * scale)}, options_.fold, {}, 8, options_.rims});
   }
-  VectorXd parameters = context->parameters;
-  model::Selection(context->map, variables.selected()).scatter(variables.expand(x), parameters);
-  model::set_parameters(result_.model, context->plan.layout, parameters);
+  result_.model = phase.model();
 }
 
-FitResult Fitter::run() {
-  const auto begin = std::chrono::steady_clock::now();
-  const model::Scan coarse = folded_scan(*scan_, *pose_, options_.coarse_points);
-  const model::Scan fine = folded_scan(*scan_, *pose_, options_.fine_points);
+// Keeps the round with the fewest folds.
+void Fitter::unfold(FitPhase& phase) {
+  result_.folded_faces = folded_faces(result_.model);
+  FitRound round{{options_.near, options_.rim_near}, options_.fold, {}, 16, options_.rims};
+  for (int k = 0; k < options_.unfold_rounds && !result_.folded_faces.empty() && !stopped(); ++k) {
+    round.fold_weight *= fold_growth;
+    round.fold.cosine += fold_cosine_step;
+    round.rims *= rims_decay;
+    one_round(phase, "unfold", k, options_.unfold_rounds, round);
+    const model::Model model = phase.model();
+    std::vector<std::string> folded = folded_faces(model);
+    if (folded.size() >= result_.folded_faces.size()) continue;
+    result_.model = model;
+    result_.folded_faces = std::move(folded);
+  }
+}
+
+FitResult Fitter::run(const model::Scan& coarse, const model::Scan& fine) {
   const double middle = std::sqrt(options_.far * options_.near);
-  run_phase({"warp",
-             model::Stage::base,
-             {},
-             options_.warp_rounds,
-             options_.far,
-             middle * 2,
-             0.0,
-             options_.stay,
-             60},
-            coarse);
-  run_phase({"curves",
-             model::Stage::base,
-             {"curve.*"},
-             options_.curve_rounds,
-             middle * 2,
-             middle,
-             options_.bending,
-             options_.stay,
-             100},
-            coarse);
-  run_phase({"body",
-             model::Stage::body,
-             {"curve.*", "shape.*", "cut.*", "fullness.*", "lean.*"},
-             options_.body_rounds,
-             middle,
-             options_.near,
-             options_.bending,
-             options_.stay,
-             150},
-            fine);
+  {
+    FitPhase warp(result_.model, coarse, phase_options(model::Stage::base, {}, 0.0, 60));
+    run_rounds(warp, "warp", options_.warp_rounds, options_.far, 2.0 * middle);
+  }
+  {
+    FitPhase curves(result_.model, coarse,
+                    phase_options(model::Stage::base, {"curve.*"}, options_.bending, 100));
+    run_rounds(curves, "curves", options_.curve_rounds, 2.0 * middle, middle);
+  }
+  FitPhase body(
+      result_.model, fine,
+      phase_options(model::Stage::body, {"curve.*", "shape.*", "cut.*", "fullness.*", "lean.*"},
+                    options_.bending, 150));
+  run_rounds(body, "body", options_.body_rounds, middle, options_.near);
+  unfold(body);
   result_.status = stopped() ? Status::interrupted : Status::small_improvement;
-  result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result_.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   return result_;
 }
 
@@ -163,7 +133,12 @@ FitResult Fitter::run() {
 
 FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
                    const FitOptions& options) {
-  return Fitter(scan, pose, start, options).run();
+  if (scan.points.empty()) throw std::invalid_argument("the scan has no points");
+  if (scan.normals.size() != scan.points.size())
+    throw std::invalid_argument("the scan has no normals; estimate them first");
+  return Fitter(options, start)
+      .run(folded_scan(scan, pose, options.coarse_points),
+           folded_scan(scan, pose, options.fine_points));
 }
 
 }  // namespace bodyline::optimize

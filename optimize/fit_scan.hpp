@@ -4,44 +4,50 @@
 #include <string>
 #include <vector>
 
-#include "model/evaluator.hpp"
+#include "model/model.hpp"
 #include "model/scan.hpp"
+#include "model/variables.hpp"
 #include "optimize/status.hpp"
 
 namespace bodyline::optimize {
 
-/// How many points, and how near, in a round of fitting.
+/// A round of a fit.
 struct FitProgress {
-  std::string phase;
+  std::string phase;  ///< "warp", "curves", "body" or "unfold"
   int round = 0, rounds = 0;
-  double distance = 0.0;  ///< median distance of the scan's points, mm
+  double distance = 0.0;  ///< median distance of the scan's points before the round, mm
+  double seconds = 0.0;   ///< since the start
 };
 
-/// How a body is fitted to a scan. The defaults are meant for any car.
+/// How a body is fitted to a scan. The defaults are meant for any car. Weights count against the
+/// mean squared distance, mm^2.
 struct FitOptions {
   std::size_t coarse_points = 15000, fine_points = 60000;  ///< of the scan, while searching
   int warp_rounds = 15, curve_rounds = 15, body_rounds = 20;
-  double far = 250.0;              ///< distance beyond which a point hardly counts, at first, mm
-  double near = 6.0;               ///< and at last
-  double least_rim_reach = 60.0;   ///< beyond rims, at last, mm
-  double rims = 0.1;               ///< weight of the body's rims against all points
-  double bending = 2e-3;           ///< weight of the bending energy against squared mm
-  double fold = 1e3;               ///< weight of the barrier against folds
-  double stay = 3e-5;              ///< weight of a round's moves (mean square of the nets')
-  model::VariableBounds bounds{};  ///< of cuts, fullness and lean
-  std::function<void(const FitProgress&)> on_progress;
-  std::function<bool()> should_stop;  ///< polled between rounds and at every evaluation
+  int unfold_rounds = 6;    ///< most, with ever stronger barriers while a face folds
+  double far = 250.0;       ///< distance off the surface that counts a quarter at first, mm,
+  double near = 6.0;        ///< and at last
+  double rim_near = 100.0;  ///< likewise beyond rims, at last, mm
+  double bending = 5e-3;    ///< weight of the bending energy
+  double fold = 1e3;        ///< weight of the barrier against folds
+  double stay = 3e-5;       ///< weight of the mean squared move of the base nets in a round
+  double rims = 0.05;       ///< weight of all rims together, as a share of the scan's points
+  model::VariableBounds bounds;
+  std::function<void(const FitProgress&)> on_progress;  ///< may be empty
+  std::function<bool()> should_stop;  ///< polled between rounds and at evaluations; may be empty
 };
 
 struct FitResult {
-  Status status = Status::failed;
+  Status status = Status::failed;  ///< small_improvement, or interrupted
   model::Model model;
   std::vector<FitProgress> history;
+  std::vector<std::string> folded_faces;  ///< those that still fold; " (whole patch)" before cuts
   double seconds = 0.0;
 };
 
 /// Fits a body to a scan that `pose` brings into the coordinates of `start`: first a smooth warp of
-/// the whole body, then its curves with whole patches, then everything with the closed body.
+/// the whole body, then its curves with whole patches, then everything with the closed body, until
+/// no face folds. Throws std::invalid_argument when the scan has no points or no normals.
 FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
                    const FitOptions& options);
 

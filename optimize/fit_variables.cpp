@@ -37,11 +37,10 @@ double typical_move(model::ParameterKind kind) {
 
 }  // namespace
 
-FitVariables::FitVariables(const model::BodyContext& context, const std::vector<std::string>& vary,
-                           model::Stage stage) {
+FitVariables::FitVariables(const model::BodyContext& context,
+                           const std::vector<std::string>& vary) {
   const bool warps = vary.empty();
   selected_ = context.map.select(warps ? std::vector<std::string>{"curve.*"} : vary);
-  (void)stage;
   origin_ = model::Selection(context.map, selected_).gather(context.parameters);
   if (warps) {
     plan_warp(context);

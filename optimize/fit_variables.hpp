@@ -14,8 +14,7 @@ namespace bodyline::optimize {
 class FitVariables {
  public:
   /// No patterns: a warp.
-  FitVariables(const model::BodyContext& context, const std::vector<std::string>& vary,
-               model::Stage stage);
+  FitVariables(const model::BodyContext& context, const std::vector<std::string>& vary);
 
   const std::vector<int>& selected() const { return selected_; }
   Eigen::Index size() const { return lower_.size(); }

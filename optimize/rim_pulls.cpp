@@ -136,13 +136,13 @@ void RimPuller::append(const double* nets, double reach, double weight, std::vec
           s.scan->normals.empty() ? Vector3d(Vector3d::Zero()) : point.match.normal;
       s.tree.nearest(SearchTree::key(point.match.foot, normal, normal_length), nearest);
       const Vector3d target = s.scan->points[nearest[0]];
-      const double beyond =
-          -(target - point.match.foot).dot(point.outward) - s.tolerance;
+      const double beyond = -(target - point.match.foot).dot(point.outward) - s.tolerance;
       const double q = beyond / reach, root = 1.0 / (1.0 + q * q);
       const double pull = beyond > 0.0 ? each * root * root : 0.0;
       point.match.distance = beyond;
       matches.push_back(point.match);
-      pulls.push_back({point.match.foot - beyond * point.outward, pull * point.outward * point.outward.transpose()});
+      pulls.push_back({point.match.foot - beyond * point.outward,
+                       pull * point.outward * point.outward.transpose()});
     }
   }
 }
