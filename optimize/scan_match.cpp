@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "optimize/scan_tree.hpp"
@@ -59,21 +60,41 @@ ScanMatcher::ScanMatcher(const model::BodyPlan& plan, model::Stage stage, const 
 
 namespace {
 
+// Samples of a face along u or v, by the longest polygon of its net.
+int sample_count(const model::Face& face, const double* net, bool along_u, double spacing) {
+  constexpr int least = 3, most = 40;
+  const int m = face.degree_u, n = face.degree_v;
+  const auto point = [&](int i, int j) {
+    return Eigen::Map<const Vector3d>(net + 3 * (i * (n + 1) + j));
+  };
+  double longest = 0.0;
+  for (int row = 0; row <= (along_u ? n : m); ++row) {
+    double length = 0.0;
+    for (int k = 0; k < (along_u ? m : n); ++k) {
+      length += along_u ? (point(k + 1, row) - point(k, row)).norm()
+                        : (point(row, k + 1) - point(row, k)).norm();
+    }
+    longest = std::max(longest, length);
+  }
+  return std::clamp(int(std::ceil(longest / spacing)), least, most);
+}
+
 FaceSamples sample_faces(const model::BodyPlan& plan, model::Stage stage, const double* nets,
                          const model::Kernels& kernels, const MatchOptions& options,
                          bool with_normals) {
   FaceSamples samples;
-  const int n = options.samples, count = n * n;
   const std::vector<model::Face>& faces = plan.faces(stage);
   for (int f = 0; f < int(faces.size()); ++f) {
     const model::Face& face = faces[f];
+    const double* const net = nets + 3 * face.net;
+    const int n_u = sample_count(face, net, true, options.spacing);
+    const int n = sample_count(face, net, false, options.spacing), count = n_u * n;
     Columns columns(count);
     for (int k = 0; k < count; ++k) {
-      columns[3][k] = (k / n + 0.5) / n;
+      columns[3][k] = (k / n + 0.5) / n_u;
       columns[4][k] = (k % n + 0.5) / n;
     }
-    kernels.foot_points(face.degree_u, face.degree_v, nets + 3 * face.net, 0,
-                        arrays(columns, count));
+    kernels.foot_points(face.degree_u, face.degree_v, net, 0, arrays(columns, count));
     const double scale = with_normals ? (face.inward ? -1.0 : 1.0) * options.normal_length : 0.0;
     for (int k = 0; k < count; ++k) {
       samples.keys.push_back({columns[5][k], columns[6][k], columns[7][k], scale * columns[8][k],

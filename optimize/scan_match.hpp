@@ -19,9 +19,9 @@ struct Match {
 };
 
 struct MatchOptions {
-  int samples = 10;              ///< of a face per direction, to find the face that is near
+  double spacing = 40.0;         ///< of the samples that tell which face is near, mm
   int candidates = 2;            ///< faces tried for each point
-  int steps = 6;                 ///< of Newton's method
+  int steps = 12;                ///< of Newton's method
   double normal_length = 100.0;  ///< mm that a difference of 1 between normals counts
   double least_cosine = 0.2;     ///< between normals, for a face to be preferred
 };

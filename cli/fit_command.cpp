@@ -1,0 +1,115 @@
+#include "cli/fit_command.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "cli/deviation_text.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/load_model.hpp"
+#include "cli/output.hpp"
+#include "cli/print_json.hpp"
+#include "cli/progress.hpp"
+#include "cli/scan_target.hpp"
+#include "io/write_model.hpp"
+#include "optimize/deviation.hpp"
+#include "optimize/fit_scan.hpp"
+
+namespace bodyline::cli {
+namespace {
+
+struct Request {
+  std::string start;
+  ScanTarget target;
+  Output output;
+  optimize::FitOptions options;
+  bool json = false;
+};
+
+optimize::FitResult fit(Context& context, const PlacedScan& placed, const model::Model& start,
+                        optimize::FitOptions options) {
+  const Interrupt interrupt;
+  Progress progress(context, "fitting");
+  options.should_stop = [&] { return interrupt.requested(); };
+  options.on_progress = [&](const optimize::FitProgress& step) {
+    progress.update(-1.0, fmt::format("{} {} of {}, median distance {:.2f} mm", step.phase,
+                                      step.round, step.rounds, step.distance));
+  };
+  return optimize::fit_scan(placed.scan, placed.pose, start, options);
+}
+
+void print_result(Context& context, const Request& request, const PlacedScan& placed,
+                  const optimize::FitResult& result, const optimize::Deviation& deviation,
+                  double seconds) {
+  if (request.json) {
+    print_json(context, {{"status", optimize::status_words(result.status)},
+                         {"pose", pose_json(placed.pose)},
+                         {"distance_mm", distances_json(deviation.distances)},
+                         {"unseen_patches", deviation.unseen_patches},
+                         {"folded", result.folded_faces},
+                         {"faces", faces_json(deviation)},
+                         {"seconds", seconds}});
+    return;
+  }
+  std::string text = fmt::format("{}\n{}\n\n{}", placed.words,
+                                 optimize::status_words(result.status), deviation_table(deviation));
+  if (!deviation.unseen_patches.empty()) {
+    text += fmt::format("Hardly seen by the scan, held by fairness alone: {}\n",
+                        fmt::join(deviation.unseen_patches, ", "));
+  }
+  for (const std::string& face : result.folded_faces) text += "still folded: " + face + "\n";
+  text += fmt::format("{:.1f} s\nfitted model: {}\n", seconds, request.output.path);
+  *context.out << text;
+}
+
+void run(Context& context, const Request& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  check_output(request.output, request.target.path, {".toml"});
+  const model::Model start = load_model(context, request.start);
+  const PlacedScan placed = place_scan(context, request.target, start);
+  optimize::FitResult result = fit(context, placed, start, request.options);
+  result.model.name = std::filesystem::path(request.output.path).stem().string();
+  optimize::DeviationOptions measuring;
+  measuring.most_points = request.target.most_points;
+  const optimize::Deviation deviation =
+      optimize::measure_deviation(result.model, placed.scan, placed.pose, measuring);
+  io::write_model(result.model, request.output.path,
+                  request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  print_result(context, request, placed, result, deviation, seconds);
+  if (!result.folded_faces.empty()) context.exit_code = exit_findings;
+}
+
+void add_weights(CLI::App& command, optimize::FitOptions& options) {
+  command
+      .add_option("--fairness", options.bending,
+                  "Weight of the bending energy against the mean squared distance in mm^2")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--max-cut", options.bounds.max_cut, "Widest strip that joints may take")
+      ->check(CLI::Range(0.01, 0.45))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program, Context& context) {
+  const auto request = std::make_shared<Request>();
+  CLI::App* const command =
+      add_command(program, "fit", "Fit the body to a scan of a car",
+                  "bodyline fit scan.ply --start cars/template.toml -o car.toml");
+  add_scan_target(*command, request->target);
+  command->add_option("--start", request->start, "Model to start from")
+      ->type_name("MODEL")
+      ->required()
+      ->check(CLI::ExistingFile);
+  add_output(*command, request->output, "Fitted model, .toml");
+  add_weights(*command, request->options);
+  command->add_flag("--json", request->json, "Print JSON");
+  command->callback([request, &context] { run(context, *request); });
+}
+
+}  // namespace bodyline::cli

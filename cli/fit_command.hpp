@@ -1,0 +1,10 @@
+#pragma once
+
+#include "cli/command.hpp"
+
+namespace bodyline::cli {
+
+/// `bodyline fit SCAN -o OUT.toml`: fits the body template to a scan of a car.
+void add_fit_command(CLI::App& program, Context& context);
+
+}  // namespace bodyline::cli

@@ -1,0 +1,57 @@
+#include "cli/scan_target.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/pose_option.hpp"
+#include "cli/progress.hpp"
+#include "optimize/orient_normals.hpp"
+
+namespace bodyline::cli {
+
+void add_scan_target(CLI::App& command, ScanTarget& target) {
+  command
+      .add_option("SCAN", target.path,
+                  fmt::format("Scan: {}", fmt::join(io::scan_extensions(), ", ")))
+      ->required();
+  command
+      .add_option(
+          "--pose", target.pose,
+          "Pose of the scan: rx,ry,rz,tx,ty,tz,scale in degrees and mm, or none; found when "
+          "left out")
+      ->type_name("POSE");
+  command.add_option("--unit", target.unit_mm, "mm per unit of the scan; guessed when left out")
+      ->type_name("MM")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--points", target.most_points, "Most points of the scan that are used")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t(1000), std::size_t(10'000'000)))
+      ->capture_default_str();
+}
+
+PlacedScan place_scan(Context& context, const ScanTarget& target, const model::Model& model) {
+  io::ScanFile file;
+  {
+    const Progress progress(context, "reading " + target.path);
+    file = io::read_scan(target.path);
+  }
+  PlacedScan placed;
+  placed.words = fmt::format("{}: {}, {} {}", target.path, file.format, file.points_in_file,
+                             file.mesh ? "vertices" : "points");
+  if (file.dropped > 0) placed.words += fmt::format(", {} of them not usable", file.dropped);
+  placed.words += ".";
+  optimize::AlignOptions options;
+  options.unit_mm = target.unit_mm;
+  if (target.pose == "none") {
+    options.pose = model::Pose{};
+  } else if (!target.pose.empty()) {
+    options.pose = pose_from_text(target.pose);
+  }
+  const Progress progress(context, "finding the pose");
+  const optimize::AlignResult aligned = optimize::align_scan(file.scan, model, options);
+  placed.words += "\n" + aligned.words;
+  placed.pose = aligned.pose;
+  placed.scan = optimize::oriented_scan(file.scan, aligned.pose, model, target.most_points);
+  return placed;
+}
+
+}  // namespace bodyline::cli
