@@ -49,7 +49,7 @@ std::string pose_text(const model::Pose& pose) {
   const Eigen::Vector3d turns =
       pose.rotation.eulerAngles(2, 1, 0) / degree + Eigen::Vector3d::Zero();
   const Eigen::Vector3d& move = pose.translation;
-  return fmt::format("{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g}", turns[2], turns[1],
+  return fmt::format("{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g}", turns[2], turns[1],
                      turns[0], move.x(), move.y(), move.z(), pose.scale);
 }
 

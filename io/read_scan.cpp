@@ -6,8 +6,10 @@
 
 #include "io/input_error.hpp"
 #include "io/read_scan_assimp.hpp"
+#include "io/read_scan_off.hpp"
 #include "io/read_scan_pcd.hpp"
 #include "io/read_scan_ply.hpp"
+#include "io/read_scan_stl.hpp"
 #include "io/read_scan_text.hpp"
 #include "io/scan_words.hpp"
 
@@ -20,11 +22,11 @@ struct ScanFormat {
 };
 
 constexpr std::array<ScanFormat, 12> formats{{{".ply", read_scan_ply},
-                                              {".stl", read_scan_assimp},
+                                              {".stl", read_scan_stl},
                                               {".obj", read_scan_assimp},
                                               {".gltf", read_scan_assimp},
                                               {".glb", read_scan_assimp},
-                                              {".off", read_scan_assimp},
+                                              {".off", read_scan_off},
                                               {".xyz", read_scan_text},
                                               {".pts", read_scan_text},
                                               {".asc", read_scan_text},

@@ -1,14 +1,13 @@
 #include "io/read_scan_assimp.hpp"
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <utility>
 
-#include "io/read_scan_guard.hpp"
+#include "io/check_gltf.hpp"
 #include "io/scan_collector.hpp"
 #include "io/scan_input.hpp"
 #include "io/scan_mesh.hpp"
@@ -21,9 +20,7 @@ namespace {
 constexpr std::uint64_t largest_file = std::uint64_t{512} << 20;
 
 std::string format_name(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".gltf" || extension == ".glb") return "glTF";
-  return extension == ".stl" ? "STL" : extension == ".obj" ? "OBJ" : "OFF";
+  return lower_extension(path) == ".obj" ? "OBJ" : "glTF";
 }
 
 Eigen::Vector3d vector_from(const aiVector3D& v) { return {v.x, v.y, v.z}; }
@@ -49,8 +46,9 @@ std::vector<PlacedMesh> placed_meshes(const aiScene& scene) {
   return meshes;
 }
 
-bool has_triangles(const PlacedMesh& mesh) {
-  return (mesh.first->mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0 && mesh.first->mNumFaces > 0;
+bool has_faces(const PlacedMesh& mesh) {
+  constexpr unsigned faces = aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON;
+  return (mesh.first->mPrimitiveTypes & faces) != 0 && mesh.first->mNumFaces > 0;
 }
 
 // assimp does not check the indices of all formats.
@@ -63,25 +61,23 @@ std::uint32_t vertex_index(const ScanInput& input, const aiMesh& part, unsigned 
 void append_mesh(const ScanInput& input, const PlacedMesh& placed, ScanMesh& mesh) {
   const auto& [part, transformation] = placed;
   const auto first = static_cast<std::uint32_t>(mesh.points.size());
-  if (mesh.points.size() + part->mNumVertices > 3 * most_triangles ||
-      mesh.triangles.size() + part->mNumFaces > most_triangles) {
-    input.fail(fmt::format("has more than {} triangles.", most_triangles));
-  }
   for (unsigned k = 0; k < part->mNumVertices; ++k) {
     mesh.points.push_back(vector_from(transformation * part->mVertices[k]));
   }
-  // A transformation with a reflection turns triangles inside out.
+  // A transformation with a reflection turns faces inside out.
   const bool reflects = aiMatrix3x3(transformation).Determinant() < 0;
-  for (unsigned k = 0; k < part->mNumFaces; ++k) {
+  std::vector<std::uint32_t> polygon;
+  bool fits = mesh.points.size() <= 3 * most_triangles;
+  for (unsigned k = 0; fits && k < part->mNumFaces; ++k) {
     const aiFace& face = part->mFaces[k];
-    if (face.mNumIndices != 3) continue;
-    std::array<std::uint32_t, 3> triangle{};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      triangle[corner] = first + vertex_index(input, *part, face.mIndices[corner]);
+    polygon.clear();
+    for (unsigned corner = 0; corner < face.mNumIndices; ++corner) {
+      polygon.push_back(first + vertex_index(input, *part, face.mIndices[corner]));
     }
-    if (reflects) std::swap(triangle[1], triangle[2]);
-    mesh.triangles.push_back(triangle);
+    if (reflects) std::reverse(polygon.begin(), polygon.end());
+    fits = append_polygon(mesh, polygon);
   }
+  if (!fits) input.fail(fmt::format("has more than {} triangles.", most_triangles));
 }
 
 void append_points(const PlacedMesh& placed, ScanCollector& collector) {
@@ -101,8 +97,10 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// No post-processing: assimp as Debian builds it ends the program where its triangulation of a
+// damaged file goes wrong.
 const aiScene& imported(Assimp::Importer& importer, const ScanInput& input) {
-  const aiScene* const scene = importer.ReadFile(input.path().string(), aiProcess_Triangulate);
+  const aiScene* const scene = importer.ReadFile(input.path().string(), 0);
   if (scene != nullptr && scene->mRootNode != nullptr) return *scene;
   input.fail(fmt::format("cannot be read as {}: {}", format_name(input.path()),
                          one_line(importer.GetErrorString())));
@@ -113,12 +111,12 @@ const aiScene& imported(Assimp::Importer& importer, const ScanInput& input) {
 ScanFile read_scan_assimp(const std::filesystem::path& path, const ReadScanOptions& options) {
   const ScanInput input(path);
   if (input.size() > largest_file) input.fail("is larger than 512 MiB; save it as PLY.");
-  check_before_assimp(path);
+  if (lower_extension(path) != ".obj") check_gltf(path);
   Assimp::Importer importer;
   const std::vector<PlacedMesh> meshes = placed_meshes(imported(importer, input));
   ScanMesh mesh;
   for (const PlacedMesh& placed : meshes) {
-    if (has_triangles(placed)) append_mesh(input, placed, mesh);
+    if (has_faces(placed)) append_mesh(input, placed, mesh);
   }
   if (!mesh.triangles.empty()) {
     return scan_from_mesh(path, mesh, options, format_name(path));

@@ -39,6 +39,14 @@ double total_area(const ScanMesh& mesh) {
 
 }  // namespace
 
+bool append_polygon(ScanMesh& mesh, std::span<const std::uint32_t> corners) {
+  if (mesh.triangles.size() + corners.size() > most_triangles) return false;
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+  }
+  return true;
+}
+
 model::Scan sample_mesh(const ScanMesh& mesh, std::size_t count, std::uint64_t seed) {
   model::Scan scan;
   const double part = total_area(mesh) / static_cast<double>(count);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "io/read_scan.hpp"
@@ -16,7 +17,11 @@ struct ScanMesh {
 };
 
 /// The most triangles that are read from one file.
-inline constexpr std::size_t most_triangles = 40'000'000;
+inline constexpr std::size_t most_triangles = 20'000'000;
+
+/// Adds a polygon as a fan of triangles around its first corner. False, and nothing added, when the
+/// mesh would have more than `most_triangles`.
+bool append_polygon(ScanMesh& mesh, std::span<const std::uint32_t> corners);
 
 /// Points spread over a mesh, with the normals of the triangles as they are wound: the area is
 /// divided into `count` equal parts in the order of the triangles, and each part gets one point at

@@ -27,7 +27,7 @@ struct SimulateOptions {
   double outliers = 0.0;         ///< part of the points that lie anywhere, 0 to 0.9
   std::uint64_t seed = 1;
   Missing missing = Missing::none;
-  model::Pose pose;  ///< of the scan: its points are x with pose(x) on the body
+  model::Pose pose = {};  ///< of the scan: its points are x with pose(x) on the body
 };
 
 /// Points on the outside of a body, both sides, uniform by area, with the faces' normals. Outliers

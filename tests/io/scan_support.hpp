@@ -87,6 +87,30 @@ inline std::string words_of(const Eigen::Vector3d& vector, const std::string& se
   return text.data();
 }
 
+/// Lines "x y z" of `some_points`.
+inline std::string lines(int count) {
+  std::string text;
+  for (const auto& point : some_points(count)) text += words_of(point) + "\n";
+  return text;
+}
+
+/// Head of a PLY file of vertices x y z in floats; `rest` are further lines.
+inline std::string ply(const std::string& vertices, const std::string& rest = "",
+                       const std::string& format = "ascii") {
+  return "ply\nformat " + format + " 1.0\nelement vertex " + vertices +
+         "\nproperty float x\nproperty float y\nproperty float z\n" + rest + "end_header\n";
+}
+
+/// Head of one face.
+inline const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+
+/// Head of a PCD file of points x y z in floats.
+inline std::string pcd(const std::string& points, const std::string& data = "ascii") {
+  return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n"
+         "POINTS " +
+         points + "\nDATA " + data + "\n";
+}
+
 /// A box of 4 x 2 x 1 from the origin: its vertices, and its sides as quadrangles that are
 /// counter-clockwise seen from outside.
 inline const std::vector<Eigen::Vector3d>& box_points() {

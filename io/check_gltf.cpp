@@ -1,8 +1,7 @@
-#include "io/read_scan_guard.hpp"
+#include "io/check_gltf.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -17,37 +16,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int deepest_json = 64;
-
-// A vertex "0 0 0" and a face "3 0 1 2" take more than four bytes, as text or as numbers.
-constexpr std::uint64_t bytes_an_element = 4;
-
-// The first two whole numbers of an OFF file are the counts of vertices and of faces.
-void check_off(ScanInput& input) {
-  std::string_view line;
-  int counts = 0;
-  while (counts < 2 && input.filled_line(line)) {
-    for (auto word = next_word(line); counts < 2 && !word.empty(); word = next_word(line)) {
-      if (word.starts_with('#')) break;
-      std::uint64_t count = 0;
-      if (!whole_from_word(word, count)) continue;
-      ++counts;
-      if (count <= input.size() / bytes_an_element) continue;
-      input.fail_line(
-          fmt::format("announces {} vertices or faces, more than the file can hold.", count));
-    }
-  }
-}
-
-// ASCII files begin with "solid"; so do some binary ones, whose size tells.
-void check_stl(ScanInput& input) {
-  constexpr std::size_t head = 80, facet = 50;
-  std::string_view line;
-  const bool binary_size = input.size() >= head + 4 && (input.size() - head - 4) % facet == 0;
-  if (binary_size || !input.line(line) || next_word(line) != "solid") return;
-  bool ends = false;
-  while (input.filled_line(line)) ends = next_word(line).starts_with("end");
-  if (!ends) input.fail_line("is cut off: an STL file in ASCII ends with \"endsolid\".");
-}
 
 std::string text_of_gltf(ScanInput& input) {
   std::uint64_t size = input.size();
@@ -111,21 +79,14 @@ void check_accessors(const ScanInput& input, const Json& document) {
   }
 }
 
-void check_gltf(ScanInput& input) {
+}  // namespace
+
+void check_gltf(const std::filesystem::path& path) {
+  ScanInput input(path);
   const Json document = json_of_gltf(input);
   if (!document.is_object()) input.fail("is not a glTF file: its JSON is no object.");
   check_nodes(input, document);
   check_accessors(input, document);
-}
-
-}  // namespace
-
-void check_before_assimp(const std::filesystem::path& path) {
-  ScanInput input(path);
-  const std::string extension = lower_extension(path);
-  if (extension == ".off") check_off(input);
-  if (extension == ".stl") check_stl(input);
-  if (extension == ".gltf" || extension == ".glb") check_gltf(input);
 }
 
 }  // namespace bodyline::io
