@@ -11,8 +11,10 @@ static_assert(std::endian::native == std::endian::little, "the file is little en
 
 template <typename Number>
 void append(std::string& file, const Eigen::Vector3d& vector) {
-  const Eigen::Matrix<Number, 3, 1> numbers = vector.cast<Number>();
-  file.append(reinterpret_cast<const char*>(numbers.data()), 3 * sizeof(Number));
+  for (const double coordinate : vector) {
+    const auto number = static_cast<Number>(coordinate);
+    file.append(reinterpret_cast<const char*>(&number), sizeof(Number));
+  }
 }
 
 std::string head(const model::Scan& scan) {
