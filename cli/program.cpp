@@ -11,6 +11,7 @@
 #include "cli/export_command.hpp"
 #include "cli/fair_command.hpp"
 #include "cli/render_command.hpp"
+#include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
 #include "cli/shell_words.hpp"
 #include "cli/variables_command.hpp"
@@ -29,6 +30,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_render_command(program, context);
   add_export_command(program, context);
   add_convert_command(program, context);
+  add_scan_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {
