@@ -1,0 +1,51 @@
+#include "optimize/align_refusals.hpp"
+
+#include <stdexcept>
+
+#include "optimize/align_register.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+// Above the largest share of a car's points in one plane, ground included; below any sheet's.
+constexpr double flat_share = 0.85;
+// Cars have 0.33 to 0.62 and, when only half is there, 0.2; a sphere and a bunny have 1.
+constexpr double most_width = 0.85;
+constexpr double least_height = 0.08;
+
+// Measured: fit + cover is 0.80 to 2 for seven cars on three start models, and down to 0.62 with
+// outliers, wheels, ground and holes together; a bunny, a teapot, spheres, tables and people reach
+// 0.2 to 0.5, and 0.64 when they are stretched to a car's box.
+constexpr double least_evidence = 0.55;
+// Houses, boats and boxes of a car's size reach 0.73, but fit nearly as well back to front
+// (0.92 to 1); cars stay below 0.92.
+constexpr double clear_evidence = 0.78;
+constexpr double most_doubt = 0.93;
+// A half-cylinder fits well when the start model is stretched without limit.
+constexpr double at_limit = 0.99;
+
+}  // namespace
+
+void refuse_flat(const Plane& plane) {
+  if (plane.share > flat_share) throw std::invalid_argument("the scan is a flat plane, not a car");
+}
+
+void refuse_by_box(const Eigen::Vector3d& extents) {
+  if (extents[1] > most_width * extents[0])
+    throw std::invalid_argument("the scan is nearly as wide as it is long, which no car is");
+  if (extents[2] < least_height * extents[0])
+    throw std::invalid_argument("the scan is a thin sheet, not a car");
+}
+
+void refuse_by_fit(const FitEvidence& evidence) {
+  const double sum = evidence.fit + evidence.cover;
+  if (sum < least_evidence || evidence.length_stretch > at_limit * most_stretch[0])
+    throw std::invalid_argument(
+        "the scan does not have the shape of a car; give its pose if it is one");
+  if (sum < clear_evidence && evidence.doubt > most_doubt)
+    throw std::invalid_argument(
+        "the front of the scan cannot be told from its rear or its top from its bottom; give its "
+        "pose if it is a car");
+}
+
+}  // namespace bodyline::optimize

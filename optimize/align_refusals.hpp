@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "optimize/align_cloud.hpp"
+
+/// What is not a car. Each throws std::invalid_argument with one sentence.
+namespace bodyline::optimize {
+
+/// Refuses a cloud that lies in its largest plane.
+void refuse_flat(const Plane& plane);
+
+/// Refuses a box, longest edge first, that no car has.
+void refuse_by_box(const Eigen::Vector3d& extents);
+
+/// What a search found out about a scan; see AlignResult.
+struct FitEvidence {
+  double fit = 0.0;
+  double cover = 0.0;
+  double doubt = 0.0;
+  double length_stretch = 1.0;  ///< length over that of the start model
+};
+
+/// Refuses a scan that fits a body too badly, or in two directions alike.
+void refuse_by_fit(const FitEvidence& evidence);
+
+}  // namespace bodyline::optimize

@@ -1,0 +1,241 @@
+#include "optimize/align_scan.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "optimize/align_cloud.hpp"
+#include "optimize/align_refusals.hpp"
+#include "optimize/align_register.hpp"
+#include "optimize/align_search.hpp"
+#include "optimize/align_shape.hpp"
+#include "optimize/align_symmetry.hpp"
+#include "optimize/align_unit.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int cloud_points = 20000;
+constexpr int least_points = 500;
+constexpr int settled_points = 6000;
+constexpr double coarse_spacing = 110.0;  // mm, of the samples of the start model
+constexpr double fine_spacing = 60.0;
+
+constexpr double least_partners = 0.35;
+constexpr double side_ratio = 0.35;  // of the covered samples on the two sides
+
+const std::vector<double> refining_scales{100, 80, 80, 60, 60, 60};
+const std::vector<double> shifting_scales{500, 500, 400, 400, 300, 300, 200, 200};
+const std::vector<double> given_scales{200, 150, 100, 100, 80, 80, 60, 60};
+
+/// A scan in mm, ready to be placed.
+struct Prepared {
+  AlignCloud cloud;       ///< of the car and whatever is around it
+  AlignCloud off_ground;  ///< without what may be the ground
+  bool ground = false;
+  LengthUnit unit;
+};
+
+void scale_to_mm(AlignCloud& cloud, double mm) {
+  for (Vector3d& point : cloud.points) point *= mm;
+  cloud.spacing *= mm;
+}
+
+void set_aside_ground(const Plane& plane, Prepared& prepared) {
+  prepared.off_ground = prepared.cloud;
+  if (!may_be_ground(prepared.cloud, plane)) return;
+  AlignCloud rest = without_plane(prepared.cloud, plane);
+  prepared.ground = rest.points.size() >= std::size_t(least_points);
+  if (prepared.ground) prepared.off_ground = std::move(rest);
+}
+
+LengthUnit unit_of(const AlignOptions& options, double length) {
+  if (options.pose) return {unit_name(options.pose->scale), options.pose->scale};
+  return options.unit_mm == 0.0 ? guess_unit(length) : given_unit(options.unit_mm, length);
+}
+
+Prepared prepared(const model::Scan& scan, const AlignOptions& options) {
+  Prepared result;
+  result.cloud = thin_and_clean(scan, cloud_points, least_points, options.seed);
+  const Plane plane = largest_plane(result.cloud, options.seed);
+  refuse_flat(plane);
+  set_aside_ground(plane, result);
+  const Vector3d extents = principal_box(result.off_ground).extents();
+  if (!options.pose) refuse_by_box(extents);
+  result.unit = unit_of(options, extents[0]);
+  scale_to_mm(result.cloud, result.unit.mm);
+  scale_to_mm(result.off_ground, result.unit.mm);
+  return result;
+}
+
+// The plane of the ground may be a flat side of the car: then its points lie on the shape.
+bool plane_is_car(const Prepared& prepared, const AlignShape& shape, const Candidate& candidate) {
+  const auto on_shape = [&](const AlignCloud& cloud) {
+    const AlignCloud few = thinned(cloud, settled_points);
+    return double(cloud.points.size()) *
+           points_score(few, shape, candidate.placement, shape_tolerance);
+  };
+  const double plane_points =
+      double(prepared.cloud.points.size() - prepared.off_ground.points.size());
+  return on_shape(prepared.cloud) - on_shape(prepared.off_ground) > 0.5 * plane_points;
+}
+
+// Tries the scan with and without what may be the ground; leaves the car in `off_ground`.
+std::vector<Candidate> searched(Prepared& prepared, const AlignShape& shape) {
+  auto best = search_placements(prepared.cloud, prepared.off_ground, shape);
+  if (!prepared.ground) return best;
+  auto with_plane = search_placements(prepared.cloud, prepared.cloud, shape);
+  if (with_plane.front().score.total() > best.front().score.total()) best = with_plane;
+  prepared.ground = !plane_is_car(prepared, shape, best.front());
+  if (!prepared.ground) prepared.off_ground = prepared.cloud;
+  return best;
+}
+
+// Share of the samples of the shape beyond `side` of the plane that have a point near.
+double side_coverage(const PointTree& tree, const AlignShape& shape, const Placement& placement,
+                     double sign) {
+  double covered = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < shape.points().size(); ++i) {
+    if (sign * shape.points()[i].y() < 0.25 * shape.high.y()) continue;
+    const Vector3d stretched =
+        shape.centre() + placement.stretch.cwiseProduct(shape.points()[i] - shape.centre());
+    const Vector3d back = placement.rotation.transpose() * (stretched - placement.translation);
+    all += 1.0;
+    covered += tree.nearest(back).squared_distance < 4.0 * shape_tolerance * shape_tolerance;
+  }
+  return all > 0.0 ? covered / all : 0.0;
+}
+
+void find_missing_side(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+                       AlignResult& result) {
+  const PointTree tree(cloud.points);
+  const double left = side_coverage(tree, shape, placement, -1.0);
+  const double right = side_coverage(tree, shape, placement, 1.0);
+  result.coverage = 0.5 * (left + right);
+  if (left < side_ratio * right) result.missing = MissingSide::left;
+  if (right < side_ratio * left) result.missing = MissingSide::right;
+}
+
+// Settles the plane of symmetry from the scan itself where both sides are there.
+Placement settled(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+                  AlignResult& result) {
+  const AlignCloud few = thinned(cloud, settled_points);
+  find_missing_side(few, shape, placement, result);
+  Placement symmetric = placement;
+  const SymmetryResult symmetry = settle_symmetry(cloud, symmetric);
+  if (result.missing != MissingSide::none || symmetry.partners < least_partners)
+    return registered(few, shape, placement, refining_scales, all_free);
+  result.symmetry_mm = symmetry.residual_mm;
+  return registered(few, shape, symmetric, refining_scales, in_plane);
+}
+
+double median_misfit(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement) {
+  std::vector<double> misfits;
+  for (const Vector3d& point : cloud.points)
+    misfits.push_back(
+        shape.tree.nearest(placement.rotation * point + placement.translation).squared_distance);
+  const auto middle = misfits.begin() + std::ptrdiff_t(misfits.size() / 2);
+  std::nth_element(misfits.begin(), middle, misfits.end());
+  return std::sqrt(*middle);
+}
+
+// Shifts the car along its plane of symmetry to where it is closest to the shape as it is.
+Placement shifted(const AlignCloud& cloud, const AlignShape& shape, Placement placement) {
+  const AlignCloud few = thinned(cloud, settled_points);
+  placement.stretch.setOnes();
+  placement = registered(few, shape, placement, shifting_scales, shifts_in_plane);
+  const double scale = std::max(shape_tolerance, 3.0 * median_misfit(few, shape, placement));
+  return registered(few, shape, placement, {scale, scale, scale}, shifts_in_plane);
+}
+
+// Scores a placement on its stretched shape; a side that is missing does not count.
+void judge(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+           AlignResult& result) {
+  const AlignCloud few = thinned(cloud, settled_points);
+  const PlacementScore score =
+      placement_score(few, PointTree(few.points), shape, placement, shape_tolerance);
+  result.fit = score.points;
+  result.cover = score.samples * (result.missing == MissingSide::none ? 1.0 : 2.0);
+}
+
+const char* side_words(MissingSide side) {
+  if (side == MissingSide::none) return "both sides are there";
+  return side == MissingSide::left ? "the left side is missing" : "the right side is missing";
+}
+
+std::string described(const AlignResult& result) {
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "The unit is %s. %.0f %% of the points lie on the start model stretched to the "
+                "scan, and they cover %.0f %% of it; %s.",
+                result.unit.c_str(), 100.0 * result.fit, 100.0 * result.coverage,
+                side_words(result.missing));
+  std::string words = text;
+  if (result.symmetry_mm > 0.0) {
+    std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
+    words += text;
+  }
+  return words;
+}
+
+Placement found_placement(Prepared& car, const AlignShape& coarse, const AlignShape& fine,
+                          AlignResult& result) {
+  const auto found = searched(car, coarse);
+  if (found.size() > 1) result.doubt = found[1].score.total() / found[0].score.total();
+  const Placement placement = settled(car.off_ground, fine, found.front().placement, result);
+  judge(car.off_ground, fine, placement, result);
+  refuse_by_fit({result.fit, result.cover, result.doubt, placement.stretch[0]});
+  return shifted(car.off_ground, fine, placement);
+}
+
+// The given pose, judged; moved only when asked to.
+Placement given_placement(const Prepared& car, const AlignShape& fine, const AlignOptions& options,
+                          AlignResult& result) {
+  const AlignCloud few = thinned(car.off_ground, settled_points);
+  Placement given;
+  given.rotation = options.pose->rotation;
+  given.translation = options.pose->translation;
+  Placement placement = given;
+  if (options.refine_pose) placement = registered(few, fine, given, given_scales, all_free);
+  placement = settled(car.off_ground, fine, placement, result);
+  if (options.refine_pose) {
+    judge(car.off_ground, fine, placement, result);
+    return shifted(car.off_ground, fine, placement);
+  }
+  judge(car.off_ground, fine, registered(few, fine, given, given_scales, stretches), result);
+  return given;
+}
+
+void check_pose(const model::Pose& pose) {
+  const bool proper =
+      (pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6 &&
+      pose.rotation.determinant() > 0.0;
+  if (!proper) throw std::invalid_argument("the rotation of the given pose is not a rotation");
+  if (!(pose.scale > 0.0) || !std::isfinite(pose.scale) || !pose.translation.allFinite())
+    throw std::invalid_argument("the given pose needs a positive scale and a finite translation");
+}
+
+}  // namespace
+
+AlignResult align_scan(const model::Scan& scan, const model::Model& start,
+                       const AlignOptions& options) {
+  if (options.pose) check_pose(*options.pose);
+  Prepared car = prepared(scan, options);
+  const AlignShape fine = align_shape(start, fine_spacing);
+  AlignResult result;
+  result.unit = car.unit.name;
+  result.pose.scale = car.unit.mm;
+  const Placement placement =
+      options.pose ? given_placement(car, fine, options, result)
+                   : found_placement(car, align_shape(start, coarse_spacing), fine, result);
+  result.pose.rotation = placement.rotation;
+  result.pose.translation = placement.translation;
+  result.words = described(result);
+  return result;
+}
+
+}  // namespace bodyline::optimize

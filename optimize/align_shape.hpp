@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/model.hpp"
+#include "optimize/point_tree.hpp"
+
+namespace bodyline::optimize {
+
+/// A body as points spread evenly over it, each with its outward normal.
+struct AlignShape {
+  PointTree tree;
+  std::vector<Eigen::Vector3d> normals;
+  Eigen::Vector3d low, high;  ///< mm; corners of the box around the points
+  double spacing = 0.0;       ///< mm, between neighbours
+
+  const std::vector<Eigen::Vector3d>& points() const { return tree.points(); }
+  Eigen::Vector3d centre() const { return 0.5 * (low + high); }
+  Eigen::Vector3d extents() const { return high - low; }
+};
+
+/// Samples a model at its stage `body`, about one point per `spacing` x `spacing` mm.
+AlignShape align_shape(const model::Model& model, double spacing);
+
+}  // namespace bodyline::optimize

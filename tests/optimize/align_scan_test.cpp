@@ -1,0 +1,338 @@
+#include "optimize/align_scan.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "io/read_model.hpp"
+#include "tests/optimize/scan_samples.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using model::Pose;
+using model::Scan;
+
+// What the issue of alignment asks for, when the scan is of the start model itself.
+constexpr double same_car_degrees = 1.5;
+constexpr double same_car_shift = 30.0;  // mm
+// For another car: the fit deforms the model from there.
+constexpr double other_car_degrees = 5.0;
+constexpr int sample_points = 20000;
+
+const std::array<double, 5> unit_mm{1.0, 10.0, 25.4, 304.8, 1000.0};
+const std::array<std::string, 5> unit_names{"mm", "cm", "in", "ft", "m"};
+
+model::Model car(const std::string& name) {
+  return io::read_model(std::string(BODYLINE_SOURCE_DIR) + "/cars/" + name + ".toml");
+}
+
+// A pose with a random rotation and position, in one of the units.
+Pose random_pose(unsigned seed) {
+  SampleDraw draw(seed);
+  Pose pose;
+  pose.rotation = draw.rotation();
+  pose.translation = 5000.0 * draw.normal_vector();
+  pose.scale = unit_mm[seed % unit_mm.size()];
+  return pose;
+}
+
+Matrix3d turn_error(const AlignResult& result, const Pose& truth) {
+  return result.pose.rotation * truth.rotation.transpose();
+}
+
+double degrees_off(const AlignResult& result, const Pose& truth) {
+  return Eigen::AngleAxisd(turn_error(result, truth)).angle() * 180.0 / std::numbers::pi;
+}
+
+// How far the middle of the car is from where it should be.
+double shift_off(const AlignResult& result, const Pose& truth) {
+  const Vector3d middle(2400, 0, 600);
+  const Vector3d scanned = truth.rotation.transpose() * (middle - truth.translation) / truth.scale;
+  return (result.pose.scale * (result.pose.rotation * scanned) + result.pose.translation - middle)
+      .norm();
+}
+
+void expect_same_car_found(const Scan& in_model_axes, const model::Model& start, unsigned seed) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const Pose truth = random_pose(seed);
+  const AlignResult result = align_scan(scanned_from(in_model_axes, truth), start);
+  EXPECT_LT(degrees_off(result, truth), same_car_degrees);
+  EXPECT_LT(shift_off(result, truth), same_car_shift);
+  EXPECT_EQ(result.unit, unit_names[seed % unit_names.size()]);
+  EXPECT_NEAR(result.pose.rotation.determinant(), 1.0, 1e-9);
+}
+
+std::string refusal(const Scan& scan, const AlignOptions& options = {}) {
+  try {
+    align_scan(scan, car("template"), options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(AlignScan, FindsAnyPoseAndUnit) {
+  const model::Model start = car("template");
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SampleDraw draw(seed);
+    expect_same_car_found(sampled(start, sample_points, 1.0, draw), start, seed);
+  }
+}
+
+TEST(AlignScan, FindsTheOtherModels) {
+  for (const char* name : {"model1", "model2"}) {
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      SampleDraw draw(seed);
+      const Pose truth = random_pose(seed);
+      const Scan scan = sampled(car(name), sample_points, 1.0, draw);
+      const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
+      EXPECT_LT(degrees_off(result, truth), other_car_degrees) << name << " seed " << seed;
+      EXPECT_EQ(result.unit, unit_names[seed]);
+    }
+  }
+}
+
+TEST(AlignScan, BearsOutliers) {
+  const model::Model start = car("template");
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SampleDraw draw(seed);
+    Scan scan = sampled(start, sample_points, 1.0, draw);
+    add_outliers(scan, 0.2, draw);
+    expect_same_car_found(scan, start, seed);
+  }
+}
+
+TEST(AlignScan, BearsWheelsMirrorsAndGround) {
+  const model::Model start = car("template");
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SampleDraw draw(seed);
+    Scan scan = sampled(start, sample_points, 1.0, draw);
+    add_wheels_and_mirrors(scan, draw);
+    add_ground(scan, draw);
+    add_outliers(scan, 0.2, draw);
+    expect_same_car_found(scan, start, seed);
+  }
+}
+
+TEST(AlignScan, BearsHoles) {
+  const model::Model start = car("template");
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SampleDraw draw(seed);
+    Scan scan = sampled(start, sample_points, 1.0, draw);
+    cut_holes(scan, 40, 330.0, draw);
+    expect_same_car_found(scan, start, seed);
+  }
+}
+
+TEST(AlignScan, BearsAMissingSideAndNamesIt) {
+  const model::Model start = car("template");
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const bool left = seed % 2 == 0;
+    SampleDraw draw(seed);
+    const Scan scan = kept(sampled(start, sample_points, 1.0, draw), [&](const Vector3d& point) {
+      return left ? point.y() > 0 : point.y() < 0;
+    });
+    expect_same_car_found(scan, start, seed);
+    const Pose truth = random_pose(seed);
+    EXPECT_EQ(align_scan(scanned_from(scan, truth), start).missing,
+              left ? MissingSide::left : MissingSide::right);
+  }
+}
+
+TEST(AlignScan, PutsThePlaneOfSymmetryAtZero) {
+  SampleDraw draw(3);
+  // Another car than the start model, so that only the scan itself can say where its plane is.
+  const Scan scan = sampled(car("model1"), sample_points, 0.5, draw);
+  const Pose truth = random_pose(3);
+  const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
+  EXPECT_EQ(result.missing, MissingSide::none);
+  EXPECT_GT(result.symmetry_mm, 0.0);
+  // The random draw leaves about 1 mm; a template's plane would be off by tens of millimetres.
+  const Vector3d error = turn_error(result, truth) * Vector3d::UnitY();
+  EXPECT_GT(error.y(), std::cos(0.2 * std::numbers::pi / 180.0));
+  const Vector3d middle(2400, 0, 600);
+  const Vector3d scanned = truth.rotation.transpose() * (middle - truth.translation) / truth.scale;
+  const Vector3d found =
+      result.pose.scale * (result.pose.rotation * scanned) + result.pose.translation;
+  EXPECT_NEAR(found.y(), 0.0, 3.0);
+}
+
+TEST(AlignScan, GivesTheSameBitsWithAnyNumberOfThreads) {
+  SampleDraw draw(5);
+  Scan scan = sampled(car("model2"), sample_points, 1.0, draw);
+  add_ground(scan, draw);
+  const Scan turned = scanned_from(scan, random_pose(5));
+  const model::Model start = car("template");
+  const auto with = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return align_scan(turned, start);
+  };
+  const AlignResult one = with(1), three = with(3);
+  EXPECT_EQ(one.pose.rotation, three.pose.rotation);
+  EXPECT_EQ(one.pose.translation, three.pose.translation);
+  EXPECT_EQ(one.words, three.words);
+}
+
+TEST(AlignScan, HardlyDependsOnTheSeed) {
+  SampleDraw draw(6);
+  const model::Model start = car("template");
+  const Pose truth = random_pose(6);
+  const Scan scan = scanned_from(sampled(start, 2 * sample_points, 1.0, draw), truth);
+  AlignOptions options;
+  options.seed = 99;
+  EXPECT_LT(degrees_off(align_scan(scan, start, options), truth), 0.1);
+  EXPECT_LT(shift_off(align_scan(scan, start, options), truth), 3.0);
+}
+
+TEST(AlignScan, FindsTheRealCars) {
+  if (!have_scan("mondeo")) GTEST_SKIP() << "no ../shared/scans here";
+  const model::Model start = car("template");
+  for (const char* name : {"mondeo", "sedan", "escape", "boxer"}) {
+    Scan scan = read_test_scan(name);
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      if (seed == 2) scan.normals.clear();
+      const Pose truth = random_pose(seed);
+      const AlignResult result = align_scan(scanned_from(scan, truth), start);
+      EXPECT_LT(degrees_off(result, truth), other_car_degrees) << name << " seed " << seed;
+      EXPECT_EQ(result.unit, unit_names[seed]) << name;
+      EXPECT_EQ(result.missing, MissingSide::none) << name;
+    }
+  }
+}
+
+TEST(AlignScan, TakesAGivenPoseAsItIs) {
+  SampleDraw draw(8);
+  const model::Model start = car("template");
+  AlignOptions options;
+  options.pose = random_pose(8);
+  options.pose->translation.x() += 40.0;
+  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), random_pose(8));
+  const AlignResult result = align_scan(scan, start, options);
+  EXPECT_EQ(result.pose.rotation, options.pose->rotation);
+  EXPECT_EQ(result.pose.translation, options.pose->translation);
+  EXPECT_EQ(result.pose.scale, options.pose->scale);
+  EXPECT_GT(result.fit, 0.5);
+}
+
+TEST(AlignScan, RefinesAGivenPoseWhenAsked) {
+  SampleDraw draw(9);
+  const model::Model start = car("template");
+  const Pose truth = random_pose(9);
+  AlignOptions options;
+  options.pose = truth;
+  options.pose->rotation =
+      Eigen::AngleAxisd(0.07, Vector3d(1, 2, 3).normalized()) * options.pose->rotation;
+  options.refine_pose = true;
+  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), truth);
+  const AlignResult result = align_scan(scan, start, options);
+  EXPECT_LT(degrees_off(result, truth), same_car_degrees);
+  EXPECT_LT(shift_off(result, truth), same_car_shift);
+}
+
+TEST(AlignScan, RefusesAPoseThatIsNoRotation) {
+  AlignOptions options;
+  options.pose = Pose{};
+  options.pose->rotation(0, 0) = -1;
+  SampleDraw draw(1);
+  EXPECT_NE(refusal(sampled(car("template"), 2000, 0.0, draw), options).find("rotation"),
+            std::string::npos);
+}
+
+TEST(AlignScan, TakesAGivenUnit) {
+  SampleDraw draw(10);
+  const model::Model start = car("template");
+  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), random_pose(1));
+  AlignOptions options;
+  options.unit_mm = 10.0;
+  EXPECT_EQ(align_scan(scan, start, options).pose.scale, 10.0);
+  options.unit_mm = 1000.0;
+  EXPECT_NE(refusal(scan, options).find("no car's length"), std::string::npos);
+  options.unit_mm = -1.0;
+  EXPECT_NE(refusal(scan, options).find("positive"), std::string::npos);
+}
+
+TEST(AlignScan, RefusesTooFewPoints) {
+  EXPECT_NE(refusal(Scan{}).find("0 usable points"), std::string::npos);
+  EXPECT_NE(refusal({{{0, 0, 0}, {1, 0, 0}}, {}}).find("2 usable points"), std::string::npos);
+  SampleDraw draw(1);
+  EXPECT_NE(refusal(sampled(car("template"), 400, 0.0, draw)).find("at least 500"),
+            std::string::npos);
+}
+
+TEST(AlignScan, RefusesPointsThatAreNotFinite) {
+  SampleDraw draw(1);
+  Scan scan = sampled(car("template"), 2000, 0.0, draw);
+  scan.points[7].y() = std::nan("");
+  EXPECT_NE(refusal(scan).find("not finite"), std::string::npos);
+}
+
+TEST(AlignScan, RefusesPointsThatCoincide) {
+  EXPECT_NE(refusal({std::vector<Vector3d>(1000, Vector3d(1, 2, 3)), {}}).find("coincide"),
+            std::string::npos);
+}
+
+TEST(AlignScan, RefusesALine) {
+  Scan scan;
+  for (int i = 0; i < 2000; ++i) scan.points.emplace_back(2.0 * i, i, 0.5 * i);
+  EXPECT_NE(refusal(scan), "accepted");
+}
+
+TEST(AlignScan, RefusesAPlane) {
+  SampleDraw draw(2);
+  const Scan scan = scanned_from(flat_plane(draw), random_pose(2));
+  EXPECT_NE(refusal(scan).find("flat plane"), std::string::npos);
+}
+
+TEST(AlignScan, RefusesASphere) {
+  SampleDraw draw(3);
+  EXPECT_NE(refusal(ellipsoid({2200, 2200, 2200}, draw)).find("as wide as it is long"),
+            std::string::npos);
+}
+
+TEST(AlignScan, RefusesAnEllipsoidOfACarsSize) {
+  SampleDraw draw(4);
+  const Scan scan = scanned_from(ellipsoid({2250, 900, 700}, draw), random_pose(4));
+  EXPECT_NE(refusal(scan), "accepted");
+}
+
+TEST(AlignScan, RefusesABoxOfACarsSize) {
+  SampleDraw draw(5);
+  EXPECT_NE(refusal(scanned_from(box_surface({2250, 900, 700}, draw), random_pose(5))), "accepted");
+}
+
+TEST(AlignScan, RefusesABunny) {
+  for (const Vector3d& stretch : {Vector3d(1, 1, 1), Vector3d(2.4, 1, 0.75)}) {
+    SampleDraw draw(6);
+    const Scan scan = scanned_from(bunny_like(stretch, draw), random_pose(6));
+    EXPECT_NE(refusal(scan), "accepted");
+  }
+}
+
+TEST(AlignScan, RefusesWhatIsNotCarSizedInAnyUnit) {
+  SampleDraw draw(7);
+  Pose pose = random_pose(5);
+  pose.scale = 100.0;
+  const Scan scan = scanned_from(sampled(car("template"), sample_points, 1.0, draw), pose);
+  EXPECT_NE(refusal(scan).find("in mm, cm, m, inches or feet"), std::string::npos);
+}
+
+TEST(AlignScan, RefusesANoisyCloudWithoutASurface) {
+  SampleDraw draw(8);
+  Scan scan;
+  for (int i = 0; i < sample_points; ++i)
+    scan.points.push_back(draw.normal_vector().cwiseProduct(Vector3d(1000, 450, 350)));
+  EXPECT_NE(refusal(scan), "accepted");
+}
+
+}  // namespace
+}  // namespace bodyline::optimize
