@@ -1,8 +1,10 @@
+#include "bench/body_bench.hpp"
 #include "bench/kernel_bench.hpp"
 #include "bench/report.hpp"
 
 int main(int argc, char** argv) {
   using namespace bodyline::bench;
   register_kernel_benchmarks();
-  return run_and_report(argc, argv, {kernel_report()});
+  register_body_benchmarks();
+  return run_and_report(argc, argv, {kernel_report(), body_report()});
 }

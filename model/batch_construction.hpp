@@ -9,21 +9,41 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// All nets up to the stage. `storage` holds tables.memory numbers of type Real, aligned as Real;
-/// arrays may be read one number past their ends.
+/// act(batch, Width of its lanes) for every batch, in order or backwards.
+template <class Real, class Batch, class Act>
+void for_each_batch(const Batch* batches, int count, const Act& act) {
+  for (int k = 0; k < count; ++k) {
+    with_width<Real>(batches[k].lanes, [&](auto width) { act(batches[k], width); });
+  }
+}
+template <class Real, class Batch, class Act>
+void for_each_batch_backwards(const Batch* batches, int count, const Act& act) {
+  for (int k = count; k-- > 0;) {
+    with_width<Real>(batches[k].lanes, [&](auto width) { act(batches[k], width); });
+  }
+}
+
+/// All nets up to the stage; no batch has more lanes than Real. `storage` holds tables.memory
+/// numbers, aligned as Real; arrays may be read one number past their ends.
 template <class Real, class Number>
 void build_batches(const BatchTables& tables, LastStage stage, const Number* parameters,
                    Number* nets, unsigned char* storage) {
-  for (int k = 0; k < tables.patch_count; ++k) {
-    build_patches<Real>(tables.patches[k], stage == LastStage::base, parameters, nets, storage);
-  }
+  for_each_batch<Real>(
+      tables.patches, tables.patch_count, [&]<class W>(const PatchBatch& batch, Width<W>) {
+        build_patches<W>(batch, stage == LastStage::base, parameters, nets, storage);
+      });
   if (stage == LastStage::base) return;
-  for (int k = 0; k < tables.seam_count; ++k) build_seams<Real>(tables.seams[k], nets, storage);
+  for_each_batch<Real>(
+      tables.seams, tables.seam_count,
+      [&]<class W>(const SeamBatch& batch, Width<W>) { build_seams<W>(batch, nets, storage); });
   if (stage == LastStage::kept) return;
-  for (int k = 0; k < tables.side_count; ++k)
-    build_sides<Real>(tables.sides[k], parameters, nets, storage);
-  for (int k = 0; k < tables.corner_count; ++k)
-    build_corners<Real>(tables.corners[k], nets, storage);
+  for_each_batch<Real>(tables.sides, tables.side_count,
+                       [&]<class W>(const SideBatch& batch, Width<W>) {
+                         build_sides<W>(batch, parameters, nets, storage);
+                       });
+  for_each_batch<Real>(
+      tables.corners, tables.corner_count,
+      [&]<class W>(const CornerBatch& batch, Width<W>) { build_corners<W>(batch, nets, storage); });
 }
 
 /// After build_batches of the same stage and parameters: adds to the adjoints of the parameters;
@@ -32,20 +52,26 @@ template <class Real, class Number>
 void batches_pullback(const BatchTables& tables, LastStage stage, const Number* parameters,
                       unsigned char* storage, Number* nets_bar, Number* parameters_bar) {
   if (stage == LastStage::body) {
-    for (int k = tables.corner_count; k-- > 0;)
-      corners_pullback<Real>(tables.corners[k], storage, nets_bar);
-    for (int k = tables.side_count; k-- > 0;) {
-      sides_pullback<Real>(tables.sides[k], parameters, storage, nets_bar, parameters_bar);
-    }
+    for_each_batch_backwards<Real>(tables.corners, tables.corner_count,
+                                   [&]<class W>(const CornerBatch& batch, Width<W>) {
+                                     corners_pullback<W>(batch, storage, nets_bar);
+                                   });
+    for_each_batch_backwards<Real>(
+        tables.sides, tables.side_count, [&]<class W>(const SideBatch& batch, Width<W>) {
+          sides_pullback<W>(batch, parameters, storage, nets_bar, parameters_bar);
+        });
   }
   if (stage != LastStage::base) {
-    for (int k = tables.seam_count; k-- > 0;)
-      seams_pullback<Real>(tables.seams[k], nets_bar, storage);
+    for_each_batch_backwards<Real>(tables.seams, tables.seam_count,
+                                   [&]<class W>(const SeamBatch& batch, Width<W>) {
+                                     seams_pullback<W>(batch, nets_bar, storage);
+                                   });
   }
-  for (int k = tables.patch_count; k-- > 0;) {
-    patches_pullback<Real>(tables.patches[k], stage == LastStage::base, parameters, nets_bar,
-                           storage, parameters_bar);
-  }
+  for_each_batch_backwards<Real>(tables.patches, tables.patch_count,
+                                 [&]<class W>(const PatchBatch& batch, Width<W>) {
+                                   patches_pullback<W>(batch, stage == LastStage::base, parameters,
+                                                       nets_bar, storage, parameters_bar);
+                                 });
 }
 
 }  // namespace BODYLINE_ISA_NAMESPACE

@@ -7,22 +7,22 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
+template <class Real>
+CornerMix<Real> corner_mix(const CornerBatch& batch) {
+  return {batch.some_apex, batch.all_apex, Pack<Real>::numbers(batch.apex)};
+}
+
 template <class Real, class Number>
 void read_corner_edges(const CornerBatch& batch, const Number* nets, TransitionEnd<Real>* edges) {
   using Io = Pack<Real>;
   for (int e = 0; e < 4; ++e) {
-    if (batch.three_sided && e == top) continue;
+    if (e == top && batch.all_apex) continue;
     const Real degree = Io::numbers(batch.degree + e * Io::lanes);
     for (int t = 0; t < 4; ++t) {
       const int row = (4 * e + t) * Io::lanes;
       edges[e].curve[t] = Io::read_point(nets, batch.end + row, 0);
       edges[e].inward[t] = degree * (edges[e].curve[t] - Io::read_point(nets, batch.next + row, 0));
     }
-  }
-  if (!batch.three_sided) return;
-  for (int t = 0; t < 4; ++t) {
-    edges[top].curve[t] = edges[left].curve[3];
-    edges[top].inward[t] = Vec3<Real>{};
   }
 }
 
@@ -33,7 +33,7 @@ template <class Real, class Number>
   auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
   read_corner_edges(batch, nets, memory.edges);
   Vec3<Real> net[corner_points], blend;
-  corner_net({batch.three_sided, true}, memory.edges, memory.trace, net, &blend);
+  corner_net(corner_mix<Real>(batch), memory.edges, memory.trace, net, &blend);
   Io::write_net(nets, batch.net, corner_points, net);
   Io::write_point(nets, batch.blend, 0, Io::numbers(batch.seam) * blend);
 }
@@ -47,13 +47,10 @@ template <class Real, class Number>
   Io::read_net(nets_bar, batch.net, corner_points, net_bar);
   const Vec3<Real> blend_bar = Io::numbers(batch.seam) * Io::read_point(nets_bar, batch.blend, 0);
   TransitionEnd<Real> edges_bar[4] = {};
-  corner_net_pullback({batch.three_sided, true}, memory.edges, memory.trace, net_bar, blend_bar,
-                      edges_bar);
-  if (batch.three_sided) {
-    for (int t = 0; t < 4; ++t) edges_bar[left].curve[3] += edges_bar[top].curve[t];
-  }
+  const CornerMix<Real> mix = corner_mix<Real>(batch);
+  corner_net_pullback(mix, memory.edges, memory.trace, net_bar, blend_bar, edges_bar);
   for (int e = 0; e < 4; ++e) {
-    if (batch.three_sided && e == top) continue;
+    if (e == top && mix.all) continue;
     const Real degree = Io::numbers(batch.degree + e * Io::lanes);
     for (int t = 0; t < 4; ++t) {
       const int row = (4 * e + t) * Io::lanes;

@@ -41,15 +41,15 @@ struct CornerMemory {
   CornerTrace<Real> trace;
 };
 
-/// Memory of a batch that starts at number `at` (of every lane) of a block of bytes.
+/// Memory of a batch that starts at number `at` of a block of bytes.
 template <class Memory, class Real>
 Memory& memory_at(unsigned char* memory, int at) {
-  return *reinterpret_cast<Memory*>(memory + at * sizeof(Real));
+  return *reinterpret_cast<Memory*>(memory + at * sizeof(typename Pack<Real>::Number));
 }
 
 template <class Real>
 PatchMemory<Real> patch_memory_at(unsigned char* memory, int at, int m, int n) {
-  Real* first = reinterpret_cast<Real*>(memory + at * sizeof(Real));
+  Real* first = reinterpret_cast<Real*>(memory + at * sizeof(typename Pack<Real>::Number));
   const int points = (m + 1) * (n + 1);
   Real* in_u = first + 6 * points;
   return {reinterpret_cast<Vec3<Real>*>(first), reinterpret_cast<Vec3<Real>*>(first) + points, in_u,

@@ -11,6 +11,8 @@ namespace bodyline::model {
 namespace {
 
 constexpr int numbers_per_point = 3;
+constexpr int alignment = 8;         // of memory, in numbers
+constexpr int narrowest_vector = 4;  // what has fewer lanes than this is built one step at a time
 
 template <class Memory>
 constexpr int memory_numbers() {
@@ -94,20 +96,17 @@ class BatchPlanner {
   }
 
   void plan_corners() {
-    for (const bool three_sided : {false, true}) {
-      std::vector<const CornerStep*> group;
-      for (const CornerStep& corner : plan_.corners) {
-        if (corner.shape.three_sided == three_sided) group.push_back(&corner);
-      }
-      for_each_batch(group, [&](const std::vector<const CornerStep*>& steps, int count) {
-        add_corners(steps, count);
-      });
-    }
+    std::vector<const CornerStep*> group;
+    for (const CornerStep& corner : plan_.corners) group.push_back(&corner);
+    std::stable_partition(group.begin(), group.end(),
+                          [](const CornerStep* c) { return !c->shape.three_sided; });
+    for_each_batch(group, [&](const std::vector<const CornerStep*>& steps, int count) {
+      add_corners(steps, count);
+    });
   }
 
   void finish() {
     BatchTables& tables = result_.tables_;
-    tables.lanes = lanes_;
     tables.number_count = numbers_per_point * plan_.point_count;
     tables.memory = memory_;
     tables.patch_count = int(result_.patches_.size());
@@ -121,15 +120,26 @@ class BatchPlanner {
   }
 
  private:
-  // Cuts a group into lots of `lanes` steps; the last is filled up with its last step.
+  // How many lanes the next batch of `left` steps gets.
+  int next_lanes(int left) const {
+    const int half = lanes_ / 2;
+    if (left >= lanes_) return lanes_;
+    if (left == 1 || half < 2) return left == 1 ? 1 : lanes_;
+    if (half < narrowest_vector) return lanes_;
+    return left <= half + 1 ? half : lanes_;
+  }
+
+  // Cuts a group into batches; where lanes are left over they repeat the last step.
   template <class Step, class Add>
   void for_each_batch(const std::vector<Step>& group, const Add& add) {
-    for (std::size_t first = 0; first < group.size(); first += lanes_) {
-      const std::size_t last = std::min(group.size(), first + lanes_);
-      std::vector<Step> steps(group.begin() + first, group.begin() + last);
-      const int count = int(steps.size());
-      steps.resize(lanes_, steps.back());
+    std::size_t first = 0;
+    while (first < group.size()) {
+      const int lanes = next_lanes(int(group.size() - first));
+      const int count = std::min(lanes, int(group.size() - first));
+      std::vector<Step> steps(group.begin() + first, group.begin() + first + count);
+      steps.resize(lanes, steps.back());
       add(steps, count);
+      first += count;
     }
   }
 
@@ -151,9 +161,10 @@ class BatchPlanner {
     return table.data();
   }
 
-  int take_memory(int numbers_needed) {
+  // A place for what a batch keeps: so many numbers of each lane.
+  int take_memory(std::size_t lanes, int of_each_lane) {
     const int at = memory_;
-    memory_ += numbers_needed;
+    memory_ += (int(lanes) * of_each_lane + alignment - 1) / alignment * alignment;
     return at;
   }
 
@@ -163,8 +174,9 @@ class BatchPlanner {
     PatchBatch batch;
     batch.degree_u = first.degree_u;
     batch.degree_v = first.degree_v;
+    batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(patch_memory_numbers(first.degree_u, first.degree_v));
+    batch.memory = take_memory(steps.size(), patch_memory_numbers(first.degree_u, first.degree_v));
     batch.boundary_count = int(first.boundary.size());
     std::vector<int>& indices = result_.offsets_.emplace_back();
     for (const PatchStep::BoundaryPoint& point : first.boundary) indices.push_back(point.net_index);
@@ -188,8 +200,9 @@ class BatchPlanner {
     using Step = const SeamStep*;
     SeamBatch batch;
     batch.degree = steps.front()->degree;
+    batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(memory_numbers<SeamMemory<double>>());
+    batch.memory = take_memory(steps.size(), memory_numbers<SeamMemory<double>>());
     const int points = batch.degree + 1;
     batch.edge =
         offsets(steps, points, [&](Step step, int k) { return row_point(plan_, step->a, k, 0); });
@@ -220,8 +233,9 @@ class BatchPlanner {
     batch.kind = kind;
     batch.leaning = sides.front().joint->leaning[sides.front().which] && kind != SideKind::uncut;
     batch.degree = sides.front().joint->degree;
+    batch.lanes = int(sides.size());
     batch.count = count;
-    batch.memory = take_memory(memory_numbers<SideMemory<double>>());
+    batch.memory = take_memory(sides.size(), memory_numbers<SideMemory<double>>());
     using At = const JointSide&;
     const int points = batch.degree + 1;
     batch.edge =
@@ -256,14 +270,20 @@ class BatchPlanner {
   void add_corners(const std::vector<const CornerStep*>& steps, int count) {
     using Step = const CornerStep*;
     CornerBatch batch;
-    batch.three_sided = steps.front()->shape.three_sided;
+    batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(memory_numbers<CornerMemory<double>>());
-    // Point t of edge e, `depth` rows from the transition's end; the edge `top` of three-sided
-    // corners is not there.
+    batch.memory = take_memory(steps.size(), memory_numbers<CornerMemory<double>>());
+    const auto three_sided = [](Step step) { return step->shape.three_sided; };
+    batch.some_apex = std::any_of(steps.begin(), steps.end(), three_sided);
+    batch.all_apex = std::all_of(steps.begin(), steps.end(), three_sided);
+    batch.apex =
+        numbers(steps, 1, [](Step step, int) { return step->shape.three_sided ? 1.0 : 0.0; });
+    const auto edge_of = [](Step step, int e) -> const CornerEdgeLink& {
+      return step->edges[step->shape.three_sided && e == top ? bottom : e];
+    };
+    // Point t of edge e, `depth` rows from the transition's end.
     const auto point = [&](Step step, int row, int depth) {
-      const CornerEdgeLink& edge = step->edges[row / 4];
-      if (edge.joint < 0) return 0;
+      const CornerEdgeLink& edge = edge_of(step, row / 4);
       const JointStep& joint = plan_.joints[edge.joint];
       const int column = edge.reversed ? 3 - row % 4 : row % 4;
       return numbers_per_point *
@@ -272,7 +292,7 @@ class BatchPlanner {
     batch.end = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 0); });
     batch.next = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 1); });
     batch.degree = numbers(steps, 4, [&](Step step, int e) {
-      return step->edges[e].joint < 0 ? 0.0 : double(plan_.joints[step->edges[e].joint].net_degree);
+      return double(plan_.joints[edge_of(step, e).joint].net_degree);
     });
     batch.net = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->net; });
     batch.blend = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->blend; });

@@ -8,7 +8,8 @@
 
 namespace bodyline::model {
 
-/// Groups the steps of a body by what is done to them, `lanes` of a group at a time.
+/// Groups the steps of a body by what is done to them, up to `lanes` of a group at a time: 1, 2, 4
+/// or 8.
 class BatchPlan {
  public:
   BatchPlan(const BodyPlan& plan, int lanes);

@@ -5,15 +5,16 @@
 /// them.
 ///
 /// A batch has `lanes` lanes, of which the first `count` hold a step each; the others repeat the
-/// last step, and their adjoints are dropped. A table's comment gives its indices, the lane always
-/// last. Entries are positions in the parameters or in the array of all nets, in numbers, not
-/// points; of a point, that of its x.
+/// last step, and their adjoints are dropped. `memory` is where what it keeps for the pullback
+/// begins, in numbers. A table's comment gives its indices, the lane always last. Entries are
+/// positions in the parameters or in the array of all nets, in numbers, not points; of a point,
+/// that of its x.
 namespace bodyline::model {
 
 /// Patches of equal degrees: base net, cut, kept net.
 struct PatchBatch {
-  int degree_u = 0, degree_v = 0, count = 0;
-  int memory = 0;  ///< place of its PatchMemory, in numbers of every lane
+  int lanes = 0, count = 0, memory = 0;
+  int degree_u = 0, degree_v = 0;
   int boundary_count = 0;
   const int* boundary_net = nullptr;           ///< [point]: index in the net, the same in all lanes
   const int* boundary = nullptr;               ///< [point][lane]: parameter
@@ -24,7 +25,8 @@ struct PatchBatch {
 
 /// Seams of equal degree that share no points.
 struct SeamBatch {
-  int degree = 0, count = 0, memory = 0;
+  int lanes = 0, count = 0, memory = 0;
+  int degree = 0;
   const int* edge = nullptr;  ///< [point][lane]: of the kept net of a
   const int *second_a = nullptr, *second_b = nullptr;
 };
@@ -43,9 +45,10 @@ enum class SideKind {
 
 /// Sides of joints: two rows of a transition each.
 struct SideBatch {
+  int lanes = 0, count = 0, memory = 0;
   SideKind kind = SideKind::plain;
   bool leaning = false;
-  int degree = 0, count = 0, memory = 0;
+  int degree = 0;
   const int *edge = nullptr, *second = nullptr;  ///< [point][lane]: rows of the kept net
   const int *edge_row = nullptr,
             *handle_row = nullptr;  ///< [lane]: first points of the transition's rows
@@ -62,10 +65,12 @@ struct SideBatch {
 /// Numbers between neighbouring points of a transition's row.
 inline constexpr int transition_row_step = 12;
 
-/// Corner patches of equal shape.
+/// Corner patches.
 struct CornerBatch {
-  bool three_sided = false;
-  int count = 0, memory = 0;
+  int lanes = 0, count = 0, memory = 0;
+  bool some_apex = false, all_apex = false;  ///< lanes that are three-sided
+  const double* apex = nullptr;              ///< [lane]: 1 in those, else 0
+  /// Where a corner has no top edge, its bottom edge stands in for it.
   const int *end = nullptr,
             *next = nullptr;  ///< [edge][point][lane]: end row of the transition, the row before it
   const double* degree = nullptr;  ///< [edge][lane]: of the transition along its joint
@@ -74,9 +79,8 @@ struct CornerBatch {
 };
 
 struct BatchTables {
-  int lanes = 0;
   int number_count = 0;  ///< numbers in the array of all nets
-  int memory = 0;        ///< what all batches need, in numbers of every lane
+  int memory = 0;        ///< numbers that all batches keep
   int patch_count = 0, seam_count = 0, side_count = 0, corner_count = 0;
   const PatchBatch* patches = nullptr;
   const SeamBatch* seams = nullptr;

@@ -30,8 +30,7 @@ class LaneBuilder final : public BodyBuilder {
         batches_(plan, construction.lanes),
         nets_(batches_.tables().number_count + spare),
         nets_bar_(batches_.tables().number_count + spare),
-        memory_(batches_.tables().memory * sizeof(double) * construction.lanes / sizeof(Block) +
-                1) {}
+        memory_(batches_.tables().memory * sizeof(double) / sizeof(Block) + 1) {}
 
   void build(const double* parameters, Stage stage) override {
     construction_->build(batches_.tables(), static_cast<LastStage>(stage), parameters, nets_.data(),

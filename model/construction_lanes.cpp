@@ -11,8 +11,8 @@ namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE {
 const LaneConstruction& construction() {
   static constexpr LaneConstruction functions = {
       .lanes = lanes,
-      .build = build_batches<Lane, double>,
-      .pullback = batches_pullback<Lane, double>,
+      .build = build_batches<Lane<lanes>, double>,
+      .pullback = batches_pullback<Lane<lanes>, double>,
   };
   return functions;
 }

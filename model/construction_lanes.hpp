@@ -7,8 +7,8 @@
 namespace bodyline::model {
 
 struct LaneConstruction {
-  int lanes = 0;
-  /// As build_batches and batches_pullback; `storage` holds tables.memory * lanes doubles at 64
+  int lanes = 0;  ///< the most that a batch may have
+  /// As build_batches and batches_pullback; `storage` holds tables.memory doubles, aligned at 64
   /// bytes.
   void (*build)(const BatchTables&, LastStage, const double* parameters, double* nets,
                 unsigned char* storage) = nullptr;

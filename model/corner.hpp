@@ -77,6 +77,12 @@ void end_jet_pullback(int end, const EndJet<Real>& bar, TransitionEnd<Real>& edg
   q[next] += scaled(3.0 * sign, bar.inward_derivative);
 }
 
+/// Adjoints of the two end jets at a vertex.
+template <class Real>
+struct VertexBar {
+  EndJet<Real> x, y;
+};
+
 /// The twist seen from one edge: the derivative of its field at an end.
 template <class Real>
 Vec3<Real> field_twist(const EndJet<Real>& jet, const PlaneCoordinates<Real>& value,
@@ -196,32 +202,46 @@ void regular_vertex_pullback(
                        y_bar.tangent, x_bar.tangent);
 }
 
+/// The end tangents of the edges x = 0 and x = 1 at y = 1.
+template <class Real>
+struct ApexTangents {
+  Vec3<Real> left, right;
+};
+template <class Real>
+ApexTangents<Real> apex_tangents(const TransitionEnd<Real>* edges) {
+  return {scaled(3.0, edges[left].curve[3] - edges[left].curve[2]),
+          scaled(3.0, edges[right].curve[3] - edges[right].curve[2])};
+}
+
 /// Where three joints meet the edge y = 1 shrinks to the apex: there the fields of the two long
 /// edges vanish and their slopes make the twist equal to the difference of the two end tangents.
 template <class Real>
-void apex_vertex(const TransitionEnd<Real>* edges, CornerField<Real>* field) {
+struct ApexSlopes {
+  PlaneCoordinates<Real> left, right;
+};
+template <class Real>
+ApexSlopes<Real> apex_slopes(const TransitionEnd<Real>* edges) {
   const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
   const Vec3<Real> twist = r.tangent - l.tangent;
-  field[left].value[1] = field[right].value[1] = PlaneCoordinates<Real>{};
-  field[left].slope[1] = plane_solve(l.inward, l.tangent, twist);
-  field[right].slope[1] = plane_solve(r.inward, r.tangent, twist);
+  return {plane_solve(l.inward, l.tangent, twist), plane_solve(r.inward, r.tangent, twist)};
 }
 
+/// Pullback of apex_slopes, to the jets of the left (x) and the right edge (y).
 template <class Real>
-void apex_vertex_pullback(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
-                          const CornerField<Real>* field_bar, TransitionEnd<Real>* edges_bar) {
+VertexBar<Real> apex_slopes_pullback(const TransitionEnd<Real>* edges,
+                                     const ApexSlopes<Real>& slopes,
+                                     const ApexSlopes<Real>& slopes_bar) {
   const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
   const Vec3<Real> twist = r.tangent - l.tangent;
-  EndJet<Real> l_bar{}, r_bar{};
+  VertexBar<Real> bar{};
   Vec3<Real> twist_bar{};
-  plane_solve_pullback(l.inward, l.tangent, twist, field[left].slope[1], field_bar[left].slope[1],
-                       l_bar.inward, l_bar.tangent, twist_bar);
-  plane_solve_pullback(r.inward, r.tangent, twist, field[right].slope[1], field_bar[right].slope[1],
-                       r_bar.inward, r_bar.tangent, twist_bar);
-  r_bar.tangent += twist_bar;
-  l_bar.tangent -= twist_bar;
-  end_jet_pullback(1, l_bar, edges_bar[left]);
-  end_jet_pullback(1, r_bar, edges_bar[right]);
+  plane_solve_pullback(l.inward, l.tangent, twist, slopes.left, slopes_bar.left, bar.x.inward,
+                       bar.x.tangent, twist_bar);
+  plane_solve_pullback(r.inward, r.tangent, twist, slopes.right, slopes_bar.right, bar.y.inward,
+                       bar.y.tangent, twist_bar);
+  bar.y.tangent += twist_bar;
+  bar.x.tangent -= twist_bar;
+  return bar;
 }
 
 /// The field as a row of degree 6: kappa q + mu c'.
@@ -273,29 +293,38 @@ struct VertexTwist {
   Vec3<Real> from_x, from_y;
 };
 
+/// Sets the fields of both edges at a regular vertex; returns its twists.
 template <class Real>
-VertexTwist<Real> vertex_twist(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
-                               const CornerVertex& vertex) {
-  const CornerField<Real>&fx = field[vertex.along_x], fy = field[vertex.along_y];
-  return {
-      field_twist(end_jet(edges[vertex.along_x], vertex.x), fx.value[vertex.x], fx.slope[vertex.x]),
-      field_twist(end_jet(edges[vertex.along_y], vertex.y), fy.value[vertex.y],
-                  fy.slope[vertex.y])};
+VertexTwist<Real> vertex_fields(const TransitionEnd<Real>* edges, const CornerVertex& vertex,
+                                CornerField<Real>* field) {
+  const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
+                     y = end_jet(edges[vertex.along_y], vertex.y);
+  CornerField<Real>&fx = field[vertex.along_x], &fy = field[vertex.along_y];
+  regular_vertex(x, y, fx.value[vertex.x], fx.slope[vertex.x], fy.value[vertex.y],
+                 fy.slope[vertex.y]);
+  return {field_twist(x, fx.value[vertex.x], fx.slope[vertex.x]),
+          field_twist(y, fy.value[vertex.y], fy.slope[vertex.y])};
 }
 
+/// Pullback of vertex_fields; adds the twists' part to `field_bar`.
 template <class Real>
-void vertex_twist_pullback(const TransitionEnd<Real>* edges, const CornerField<Real>* field,
-                           const CornerVertex& vertex, const VertexTwist<Real>& bar,
-                           TransitionEnd<Real>* edges_bar, CornerField<Real>* field_bar) {
-  const auto one = [&](CornerEdge edge, int end, const Vec3<Real>& twist_bar) {
-    EndJet<Real> jet_bar{};
-    field_twist_pullback(end_jet(edges[edge], end), field[edge].value[end], field[edge].slope[end],
-                         twist_bar, jet_bar, field_bar[edge].value[end],
-                         field_bar[edge].slope[end]);
-    end_jet_pullback(end, jet_bar, edges_bar[edge]);
-  };
-  one(vertex.along_x, vertex.x, bar.from_x);
-  one(vertex.along_y, vertex.y, bar.from_y);
+VertexBar<Real> vertex_fields_pullback(const TransitionEnd<Real>* edges, const CornerVertex& vertex,
+                                       const CornerField<Real>* field,
+                                       const VertexTwist<Real>& twist_bar,
+                                       CornerField<Real>* field_bar) {
+  const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
+                     y = end_jet(edges[vertex.along_y], vertex.y);
+  const CornerField<Real>&fx = field[vertex.along_x], &fy = field[vertex.along_y];
+  CornerField<Real>&fx_bar = field_bar[vertex.along_x], &fy_bar = field_bar[vertex.along_y];
+  VertexBar<Real> bar{};
+  field_twist_pullback(x, fx.value[vertex.x], fx.slope[vertex.x], twist_bar.from_x, bar.x,
+                       fx_bar.value[vertex.x], fx_bar.slope[vertex.x]);
+  field_twist_pullback(y, fy.value[vertex.y], fy.slope[vertex.y], twist_bar.from_y, bar.y,
+                       fy_bar.value[vertex.y], fy_bar.slope[vertex.y]);
+  regular_vertex_pullback(x, y, fx.value[vertex.x], fy.value[vertex.y], fx_bar.value[vertex.x],
+                          fx_bar.slope[vertex.x], fy_bar.value[vertex.y], fy_bar.slope[vertex.y],
+                          bar.x, bar.y);
+  return bar;
 }
 
 }  // namespace BODYLINE_ISA_NAMESPACE

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/corner.hpp"
+#include "model/where.hpp"
 
 /// Assembling a corner patch's net from its edges (docs/mathematics.md, section 7).
 namespace bodyline::model {
@@ -13,40 +14,52 @@ struct CornerShape {
       false;  ///< the twists at (0,0) differ in their normal part: the face gets a Gregory term
 };
 
-/// Fields of all four edges. The top edge of a three-sided corner is V_y = (1-x) e_l + x e_r: not
-/// stored as a field.
+/// Which lanes of a number type hold three-sided corners. There the edge `top` holds any regular
+/// edge instead of the apex, so that the steps of four sides can be taken in all lanes; their
+/// results are not used.
 template <class Real>
-void corner_fields(const CornerShape& shape, const TransitionEnd<Real>* edges,
-                   CornerField<Real>* field) {
-  for (const CornerVertex& vertex : corner_vertices) {
-    if (shape.three_sided && vertex.y == 1) continue;
-    const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
-                       y = end_jet(edges[vertex.along_y], vertex.y);
-    CornerField<Real>&fx = field[vertex.along_x], &fy = field[vertex.along_y];
-    regular_vertex(x, y, fx.value[vertex.x], fx.slope[vertex.x], fy.value[vertex.y],
-                   fy.slope[vertex.y]);
-  }
-  if (shape.three_sided) apex_vertex(edges, field);
+struct CornerMix {
+  bool some = false, all = false;  ///< lanes that are three-sided
+  Real apex{};                     ///< 1 in those lanes, else 0
+};
+
+/// The case of one lane.
+template <class Real>
+CornerMix<Real> corner_mix(const CornerShape& shape) {
+  return {shape.three_sided, shape.three_sided, Real(shape.three_sided ? 1.0 : 0.0)};
 }
 
+/// `apex` in three-sided lanes, else `regular`. A choice, not a product: what is not chosen may be
+/// infinite.
 template <class Real>
-void corner_fields_pullback(const CornerShape& shape, const TransitionEnd<Real>* edges,
-                            const CornerField<Real>* field, const CornerField<Real>* field_bar,
-                            TransitionEnd<Real>* edges_bar) {
-  for (const CornerVertex& vertex : corner_vertices) {
-    if (shape.three_sided && vertex.y == 1) continue;
-    const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
-                       y = end_jet(edges[vertex.along_y], vertex.y);
-    EndJet<Real> x_bar{}, y_bar{};
-    const CornerField<Real>&fx = field[vertex.along_x], &fy = field[vertex.along_y];
-    const CornerField<Real>&fx_bar = field_bar[vertex.along_x], &fy_bar = field_bar[vertex.along_y];
-    regular_vertex_pullback(x, y, fx.value[vertex.x], fy.value[vertex.y], fx_bar.value[vertex.x],
-                            fx_bar.slope[vertex.x], fy_bar.value[vertex.y], fy_bar.slope[vertex.y],
-                            x_bar, y_bar);
-    end_jet_pullback(vertex.x, x_bar, edges_bar[vertex.along_x]);
-    end_jet_pullback(vertex.y, y_bar, edges_bar[vertex.along_y]);
-  }
-  if (shape.three_sided) apex_vertex_pullback(edges, field, field_bar, edges_bar);
+Vec3<Real> choose(const CornerMix<Real>& mix, const Vec3<Real>& apex, const Vec3<Real>& regular) {
+  if (!mix.some) return regular;
+  if (mix.all) return apex;
+  const auto number = [&](const Real& yes, const Real& no) {
+    return where_at_least(mix.apex, Real(0.5), yes, no);
+  };
+  return {number(apex.x, regular.x), number(apex.y, regular.y), number(apex.z, regular.z)};
+}
+template <class Real>
+PlaneCoordinates<Real> choose(const CornerMix<Real>& mix, const PlaneCoordinates<Real>& apex,
+                              const PlaneCoordinates<Real>& regular) {
+  if (!mix.some) return regular;
+  if (mix.all) return apex;
+  return {where_at_least(mix.apex, Real(0.5), apex.p, regular.p),
+          where_at_least(mix.apex, Real(0.5), apex.q, regular.q)};
+}
+template <class Real>
+EndJet<Real> choose(const CornerMix<Real>& mix, const EndJet<Real>& apex,
+                    const EndJet<Real>& regular) {
+  return {choose(mix, apex.tangent, regular.tangent), choose(mix, apex.second, regular.second),
+          choose(mix, apex.inward, regular.inward),
+          choose(mix, apex.inward_derivative, regular.inward_derivative)};
+}
+
+/// Whether a vertex is a regular one in any lane.
+template <class Real>
+bool has_regular(const CornerMix<Real>& mix, const CornerVertex& vertex) {
+  return vertex.y == 0 || !mix.all;
 }
 
 /// Position in the bicubic patch W of the point that holds a vertex's twist, and of its three
@@ -61,38 +74,131 @@ constexpr TwistPlace twist_place(const CornerVertex& vertex) {
   return {x * 4 + y, x * 4 + y0, x0 * 4 + y, x0 * 4 + y0, vertex.x == vertex.y ? 1.0 : -1.0};
 }
 
-/// The net (7 x 7, [x][y], y fastest) and the coefficient of the Gregory term of surface.hpp (zero
-/// without a seam).
+/// Fields of all four edges, and the twists at the four vertices. The top edge of a three-sided
+/// corner has the field V_y = (1-x) e_l + x e_r, which is not stored.
 template <class Real>
-void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges,
+void corner_fields(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges,
+                   CornerField<Real>* field, VertexTwist<Real>* twist) {
+  for (int v = 0; v < 4; ++v) {
+    if (has_regular(mix, corner_vertices[v]))
+      twist[v] = vertex_fields(edges, corner_vertices[v], field);
+  }
+  if (!mix.some) return;
+  const ApexSlopes<Real> slopes = apex_slopes(edges);
+  const ApexTangents<Real> ends = apex_tangents(edges);
+  const PlaneCoordinates<Real> none{};
+  for (const CornerEdge e : {left, right}) {
+    field[e].value[1] = choose(mix, none, field[e].value[1]);
+    field[e].slope[1] = choose(mix, e == left ? slopes.left : slopes.right, field[e].slope[1]);
+  }
+  for (int v = 2; v < 4; ++v) {
+    const Vec3<Real> apex = ends.right - ends.left;
+    twist[v] = {choose(mix, apex, twist[v].from_x), choose(mix, apex, twist[v].from_y)};
+  }
+}
+
+/// Pullback of corner_fields: adds to the adjoints of the end tangents and of the edges; consumes
+/// both others.
+template <class Real>
+void corner_fields_pullback(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges,
+                            const CornerField<Real>* field, CornerField<Real>* field_bar,
+                            VertexTwist<Real>* twist_bar, ApexTangents<Real>& ends_bar,
+                            TransitionEnd<Real>* edges_bar) {
+  const Vec3<Real> zero{};
+  const EndJet<Real> no_jet{};
+  for (int v = 2; mix.some && v < 4; ++v) {
+    const Vec3<Real> apex = choose(mix, twist_bar[v].from_x + twist_bar[v].from_y, zero);
+    ends_bar.right += apex;
+    ends_bar.left -= apex;
+    twist_bar[v] = {choose(mix, zero, twist_bar[v].from_x), choose(mix, zero, twist_bar[v].from_y)};
+  }
+  for (int v = 0; v < 4; ++v) {
+    const CornerVertex& vertex = corner_vertices[v];
+    if (!has_regular(mix, vertex)) continue;
+    VertexBar<Real> bar = vertex_fields_pullback(edges, vertex, field, twist_bar[v], field_bar);
+    if (vertex.y == 1) bar = {choose(mix, no_jet, bar.x), choose(mix, no_jet, bar.y)};
+    end_jet_pullback(vertex.x, bar.x, edges_bar[vertex.along_x]);
+    end_jet_pullback(vertex.y, bar.y, edges_bar[vertex.along_y]);
+  }
+  if (!mix.some) return;
+  const VertexBar<Real> bar =
+      apex_slopes_pullback(edges, ApexSlopes<Real>{field[left].slope[1], field[right].slope[1]},
+                           {field_bar[left].slope[1], field_bar[right].slope[1]});
+  end_jet_pullback(1, choose(mix, bar.x, no_jet), edges_bar[left]);
+  end_jet_pullback(1, choose(mix, bar.y, no_jet), edges_bar[right]);
+}
+
+/// The curve of the top edge: the apex in three-sided lanes.
+template <class Real>
+void top_curve(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges, Vec3<Real>* curve) {
+  for (int t = 0; t < 4; ++t) curve[t] = choose(mix, edges[left].curve[3], edges[top].curve[t]);
+}
+
+template <class Real>
+void top_curve_pullback(const CornerMix<Real>& mix, const Vec3<Real>* curve_bar,
+                        TransitionEnd<Real>* edges_bar) {
+  const Vec3<Real> zero{};
+  for (int t = 0; t < 4; ++t) {
+    edges_bar[left].curve[3] += choose(mix, curve_bar[t], zero);
+    edges_bar[top].curve[t] += choose(mix, zero, curve_bar[t]);
+  }
+}
+
+/// The field across the top edge as a row of degree 6.
+template <class Real>
+void top_field_row(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges,
+                   const CornerField<Real>* field, Vec3<Real>* row) {
+  if (!mix.all) field_row(edges[top], field[top], row);
+  if (!mix.some) return;
+  const ApexTangents<Real> ends = apex_tangents(edges);
+  const Vec3<Real> linear[2] = {ends.left, ends.right};
+  Vec3<Real> apex[7];
+  elevate<1, 5>(linear, apex);
+  for (int k = 0; k < 7; ++k) row[k] = choose(mix, apex[k], row[k]);
+}
+
+template <class Real>
+void top_field_row_pullback(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges,
+                            const CornerField<Real>* field, const Vec3<Real>* row_bar,
+                            ApexTangents<Real>& ends_bar, TransitionEnd<Real>* edges_bar,
+                            CornerField<Real>* field_bar) {
+  const Vec3<Real> zero{};
+  Vec3<Real> part_bar[7];
+  if (!mix.all) {
+    for (int k = 0; k < 7; ++k) part_bar[k] = choose(mix, zero, row_bar[k]);
+    field_row_pullback(edges[top], field[top], part_bar, edges_bar[top], field_bar[top]);
+  }
+  if (!mix.some) return;
+  for (int k = 0; k < 7; ++k) part_bar[k] = choose(mix, row_bar[k], zero);
+  Vec3<Real> linear_bar[2] = {};
+  elevate_pullback<1, 5>(part_bar, linear_bar);
+  ends_bar.left += linear_bar[0];
+  ends_bar.right += linear_bar[1];
+}
+
+/// The net (7 x 7, [x][y], y fastest) and the coefficient of the Gregory term of surface.hpp, which
+/// counts only where a seam ends at the vertex (0,0).
+template <class Real>
+void corner_net(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges,
                 CornerTrace<Real>& trace, Vec3<Real>* net, Vec3<Real>* blend) {
-  corner_fields(shape, edges, trace.field);
+  VertexTwist<Real> twist[4];
+  corner_fields(mix, edges, trace.field, twist);
+  *blend = scaled(0.5, twist[0].from_x - twist[0].from_y);
   // W: bicubic patch of the corner data. [x][y]
-  Vec3<Real> w[16];
+  Vec3<Real> w[16], top_row[4];
+  top_curve(mix, edges, top_row);
   for (int k = 1; k < 3; ++k) {
     w[k * 4] = edges[bottom].curve[k];
-    w[k * 4 + 3] = edges[top].curve[k];
+    w[k * 4 + 3] = top_row[k];
   }
   for (int k = 0; k < 4; ++k) {
     w[k] = edges[left].curve[k];
     w[12 + k] = edges[right].curve[k];
   }
-  const Vec3<Real> end_left = scaled(3.0, edges[left].curve[3] - edges[left].curve[2]);
-  const Vec3<Real> end_right = scaled(3.0, edges[right].curve[3] - edges[right].curve[2]);
-  *blend = Vec3<Real>{};
-  for (const CornerVertex& vertex : corner_vertices) {
-    Vec3<Real> twist;
-    if (shape.three_sided && vertex.y == 1) {
-      twist = end_right - end_left;
-    } else {
-      const VertexTwist<Real> both = vertex_twist(edges, trace.field, vertex);
-      twist = scaled(0.5, both.from_x + both.from_y);
-      if (shape.seam && vertex.x == 0 && vertex.y == 0)
-        *blend = scaled(0.5, both.from_x - both.from_y);
-    }
-    const TwistPlace place = twist_place(vertex);
-    w[place.at] =
-        w[place.along_x] + w[place.along_y] - w[place.vertex] + scaled(place.sign / 9.0, twist);
+  for (int v = 0; v < 4; ++v) {
+    const TwistPlace place = twist_place(corner_vertices[v]);
+    w[place.at] = w[place.along_x] + w[place.along_y] - w[place.vertex] +
+                  scaled(place.sign / 18.0, twist[v].from_x + twist[v].from_y);
   }
   // Inner rows in y of the patch that meets bottom and top, less W raised in x; whole rows in x for
   // left and right.
@@ -101,13 +207,8 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges,
   for (int k = 0; k < 4; ++k) inner_w[0][k] = edges[bottom].curve[k] - w[k * 4 + 1];
   elevate<3, 3>(inner_w[0], inner[0]);
   for (int k = 0; k < 7; ++k) inner[0][k] += scaled(1.0 / 3.0, field[k]);
-  if (shape.three_sided) {
-    const Vec3<Real> ends[2] = {end_left, end_right};
-    elevate<1, 5>(ends, field);
-  } else {
-    field_row(edges[top], trace.field[top], field);
-  }
-  for (int k = 0; k < 4; ++k) inner_w[1][k] = edges[top].curve[k] - w[k * 4 + 2];
+  top_field_row(mix, edges, trace.field, field);
+  for (int k = 0; k < 4; ++k) inner_w[1][k] = top_row[k] - w[k * 4 + 2];
   elevate<3, 3>(inner_w[1], inner[1]);
   for (int k = 0; k < 7; ++k) inner[1][k] -= scaled(1.0 / 3.0, field[k]);
   Vec3<Real> raised_left[7], raised_right[7], field_right[7];
@@ -132,11 +233,11 @@ void corner_net(const CornerShape& shape, const TransitionEnd<Real>* edges,
 
 /// Pullback of corner_net: adds to the adjoints of the edges.
 template <class Real>
-void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* edges,
+void corner_net_pullback(const CornerMix<Real>& mix, const TransitionEnd<Real>* edges,
                          const CornerTrace<Real>& trace, const Vec3<Real>* net_bar,
                          const Vec3<Real>& blend_bar, TransitionEnd<Real>* edges_bar) {
   Vec3<Real> inner_bar[2][7], left_bar[7], right_bar[7], field_bar[7], field_right_bar[7],
-      w_bar[16] = {};
+      w_bar[16] = {}, top_bar[4] = {};
   for (int k = 0; k < 7; ++k) {
     const Vec3<Real>* row_bar = net_bar + k * 7;
     Vec3<Real> first{}, second{};
@@ -164,7 +265,7 @@ void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* ed
     Vec3<Real> inner_w_bar[4] = {};
     elevate_pullback<3, 3>(inner_bar[side], inner_w_bar);
     for (int k = 0; k < 4; ++k) {
-      edges_bar[side == 0 ? bottom : top].curve[k] += inner_w_bar[k];
+      (side == 0 ? edges_bar[bottom].curve[k] : top_bar[k]) += inner_w_bar[k];
       w_bar[k * 4 + 1 + side] -= inner_w_bar[k];
     }
   }
@@ -172,46 +273,33 @@ void corner_net_pullback(const CornerShape& shape, const TransitionEnd<Real>* ed
   field_row_pullback(edges[bottom], trace.field[bottom], field_bar, edges_bar[bottom],
                      fields_bar[bottom]);
   for (int k = 0; k < 7; ++k) field_bar[k] = scaled(-1.0 / 3.0, inner_bar[1][k]);
-  Vec3<Real> ends_bar[2] = {};  // of the two end tangents at an apex
-  if (shape.three_sided) {
-    elevate_pullback<1, 5>(field_bar, ends_bar);
-  } else {
-    field_row_pullback(edges[top], trace.field[top], field_bar, edges_bar[top], fields_bar[top]);
-  }
+  ApexTangents<Real> ends_bar{};
+  top_field_row_pullback(mix, edges, trace.field, field_bar, ends_bar, edges_bar, fields_bar);
+  VertexTwist<Real> twist_bar[4];
   for (int v = 3; v >= 0; --v) {
-    const CornerVertex& vertex = corner_vertices[v];
-    const TwistPlace place = twist_place(vertex);
+    const TwistPlace place = twist_place(corner_vertices[v]);
     const Vec3<Real> bar = w_bar[place.at];
     w_bar[place.along_x] += bar;
     w_bar[place.along_y] += bar;
     w_bar[place.vertex] -= bar;
-    const Vec3<Real> twist_bar = scaled(place.sign / 9.0, bar);
-    if (shape.three_sided && vertex.y == 1) {
-      ends_bar[1] += twist_bar;
-      ends_bar[0] -= twist_bar;
-      continue;
-    }
-    VertexTwist<Real> both{scaled(0.5, twist_bar), scaled(0.5, twist_bar)};
-    if (shape.seam && vertex.x == 0 && vertex.y == 0) {
-      both.from_x += scaled(0.5, blend_bar);
-      both.from_y -= scaled(0.5, blend_bar);
-    }
-    vertex_twist_pullback(edges, trace.field, vertex, both, edges_bar, fields_bar);
+    twist_bar[v].from_x = twist_bar[v].from_y = scaled(place.sign / 18.0, bar);
   }
-  for (int side = 0; side < 2; ++side) {
-    Vec3<Real>* curve_bar = edges_bar[side == 0 ? left : right].curve;
-    curve_bar[3] += scaled(3.0, ends_bar[side]);
-    curve_bar[2] -= scaled(3.0, ends_bar[side]);
-  }
+  twist_bar[0].from_x += scaled(0.5, blend_bar);
+  twist_bar[0].from_y -= scaled(0.5, blend_bar);
   for (int k = 0; k < 4; ++k) {
     edges_bar[left].curve[k] += w_bar[k];
     edges_bar[right].curve[k] += w_bar[12 + k];
   }
   for (int k = 1; k < 3; ++k) {
     edges_bar[bottom].curve[k] += w_bar[k * 4];
-    edges_bar[top].curve[k] += w_bar[k * 4 + 3];
+    top_bar[k] += w_bar[k * 4 + 3];
   }
-  corner_fields_pullback(shape, edges, trace.field, fields_bar, edges_bar);
+  corner_fields_pullback(mix, edges, trace.field, fields_bar, twist_bar, ends_bar, edges_bar);
+  top_curve_pullback(mix, top_bar, edges_bar);
+  edges_bar[left].curve[3] += scaled(3.0, ends_bar.left);
+  edges_bar[left].curve[2] -= scaled(3.0, ends_bar.left);
+  edges_bar[right].curve[3] += scaled(3.0, ends_bar.right);
+  edges_bar[right].curve[2] -= scaled(3.0, ends_bar.right);
 }
 
 }  // namespace BODYLINE_ISA_NAMESPACE

@@ -88,8 +88,10 @@ CutBar<Real> cut_range_pullback(int m, int n, const Real& length_u, const Real& 
                                 const Vec3<Real>* kept, const Vec3<Real>* kept_bar) {
   const int stride = n + 1;
   CutBar<Real> bar{Real{}, Real{}, Real{}, Real{}};
+#pragma GCC unroll 5
   for (int i = 0; i < m; ++i) {
     Real at_lo{}, at_hi{};
+#pragma GCC unroll 6
     for (int j = 0; j <= n; ++j) {
       const int here = i * stride + j, next = here + stride;
       const Vec3<Real> move = kept[next] - kept[here];
@@ -99,8 +101,10 @@ CutBar<Real> cut_range_pullback(int m, int n, const Real& length_u, const Real& 
     bar.u_lo += Real(double(m - i)) * at_lo;
     bar.u_hi += Real(double(i + 1)) * at_hi;
   }
+#pragma GCC unroll 5
   for (int j = 0; j < n; ++j) {
     Real at_lo{}, at_hi{};
+#pragma GCC unroll 6
     for (int i = 0; i <= m; ++i) {
       const int here = i * stride + j, next = here + 1;
       const Vec3<Real> move = kept[next] - kept[here];

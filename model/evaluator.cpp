@@ -1,13 +1,11 @@
 #include "model/evaluator.hpp"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
-#include <tuple>
 
 #include "model/body_builder.hpp"
-#include "model/face_rule.hpp"
-#include "model/suggest.hpp"
+#include "model/closeness.hpp"
+#include "model/face_work.hpp"
 #include "model/team.hpp"
 
 namespace bodyline::model {
@@ -18,22 +16,6 @@ constexpr double square_metre = 1e6;  // mm^2
 // left half is summed.
 constexpr double both_halves = 2.0;
 constexpr int numbers_per_point = 3;
-
-// What is summed on one face: which terms, with which quadrature.
-struct FaceWork {
-  const FaceRule* rule = nullptr;
-  int net = 0, blend = -1;  // offsets in numbers
-  std::vector<int> terms;   // indices into options.terms
-  std::vector<int> slots;   // where each term's value of this face goes
-  int area_slot = -1;       // also sum the area, for the product in the variation term
-};
-
-Range range_of(const Face& face) {
-  if (!face.central) return Range::whole;
-  return face.central_along_u ? Range::half_u : Range::half_v;
-}
-
-bool on_faces(TermKind kind) { return kind != TermKind::closeness; }
 
 }  // namespace
 
@@ -51,17 +33,24 @@ struct Evaluator::State {
         builder(make_body_builder(context->plan, options.isa)),
         parameters(context->parameters),
         parameters_bar(parameters.size()),
+        faces(plan_face_work(context->plan, options.terms, options.nodes)),
+        slots(faces.slot_count, 0.0),
         term_values(options.terms.size(), 0.0),
-        team(std::max(1, options.threads)) {
-    plan_work();
-    plan_shares();
+        net_term_values(options.net_terms.size(), 0.0),
+        team(std::max(1, options.threads)),
+        shares(deal_faces(faces, team.size())) {
+    if (faces.has_variation) {
+      variation_bar.resize(number_count());
+      area_bar.resize(number_count());
+    }
+    stage = std::max(options.stage, faces.stage);
+    for (const WeightedNetTerm& extra : options.net_terms) {
+      stage = std::max(stage, extra.term->stage());
+    }
     builder->build(parameters.data(), stage);
-    start_nets.assign(nets(), nets() + numbers_per_point * context->plan.kept_begin);
+    closeness = std::make_shared<Closeness>(context->plan, nets());
   }
 
-  void plan_work();
-  void plan_shares();
-  const FaceRule* rule_for(const Face& face);
   int number_count() const { return numbers_per_point * context->plan.point_count; }
   double* nets() { return builder->nets(); }
   double* nets_bar() { return builder->nets_bar(); }
@@ -69,8 +58,9 @@ struct Evaluator::State {
   void pull_back(Eigen::VectorXd& gradient);
   void run_face(const FaceWork& work, bool with_gradient);
   void run_faces(bool with_gradient);
+  double sum_slots(FaceWorkPlan::SlotRange range) const;
+  double term_value(std::size_t index, bool with_gradient);
   double sum_terms(bool with_gradient);
-  double closeness(double weight, bool with_gradient);
 
   std::shared_ptr<const BodyContext> context;
   std::vector<int> selected;
@@ -78,97 +68,15 @@ struct Evaluator::State {
   const Kernels* kernel;
   std::unique_ptr<BodyBuilder> builder;
   Eigen::VectorXd parameters, parameters_bar;
-  std::vector<double> start_nets;
-  std::vector<double> term_values;
-  Stage stage = Stage::base;
-  std::map<std::tuple<int, int, Range, bool>, FaceTables> tables;
-  std::vector<FaceWork> work;
-  std::vector<double> slots;                    // value of each term on each face
-  std::vector<std::pair<int, int>> term_slots;  // begin, end of each term
-  std::pair<int, int> area_slots{0, 0};
-  std::vector<std::vector<const FaceWork*>> shares;  // of each member of the team
-  bool has_variation = false;
+  FaceWorkPlan faces;
+  std::vector<double> slots;  // value of each term on each face
+  std::vector<double> term_values, net_term_values;
   std::vector<double> variation_bar, area_bar;  // of all nets, before the factors of the product
+  std::shared_ptr<Closeness> closeness;         // to the model's own nets
+  Stage stage = Stage::base;
   Team team;
+  std::vector<std::vector<const FaceWork*>> shares;  // of each member of the team
 };
-
-const FaceRule* Evaluator::State::rule_for(const Face& face) {
-  const auto key = std::make_tuple(face.degree_u, face.degree_v, range_of(face), face.blend >= 0);
-  const auto found = tables.find(key);
-  if (found != tables.end()) return &found->second.rule();
-  return &tables
-              .try_emplace(key, face.degree_u, face.degree_v, options.nodes, range_of(face),
-                           face.blend >= 0)
-              .first->second.rule();
-}
-
-void Evaluator::State::plan_work() {
-  std::map<int, FaceWork> by_net;
-  int slot = 0;
-  const auto work_of = [&](const Face& face) -> FaceWork& {
-    FaceWork& entry = by_net[face.net];
-    entry.rule = rule_for(face);
-    entry.net = numbers_per_point * face.net;
-    entry.blend = face.blend < 0 ? -1 : numbers_per_point * face.blend;
-    return entry;
-  };
-  for (int t = 0; t < int(options.terms.size()); ++t) {
-    const Term& term = options.terms[t];
-    const int first = slot;
-    if (on_faces(term.kind)) {
-      stage = std::max(stage, term.stage);
-      std::vector<std::string> names;
-      for (const Face& face : context->plan.faces(term.stage)) {
-        names.push_back(face.name);
-        const bool chosen = term.faces.empty() ||
-                            std::any_of(term.faces.begin(), term.faces.end(),
-                                        [&](const auto& p) { return name_matches(p, face.name); });
-        if (!chosen) continue;
-        FaceWork& entry = work_of(face);
-        entry.terms.push_back(t);
-        entry.slots.push_back(slot++);
-      }
-      if (slot == first) {
-        throw std::invalid_argument("no face of stage " + std::string(stage_name(term.stage)) +
-                                    " matches \"" + term.faces.front() + "\"; the nearest is \"" +
-                                    nearest_name(term.faces.front(), names) + "\"");
-      }
-    }
-    term_slots.emplace_back(first, slot);
-  }
-  area_slots = {slot, slot};
-  for (const Term& term : options.terms) {
-    if (term.kind != TermKind::variation) continue;
-    if (has_variation) throw std::invalid_argument("an objective can hold the variation term once");
-    has_variation = true;
-    for (const Face& face : context->plan.faces(term.stage)) work_of(face).area_slot = slot++;
-    area_slots.second = slot;
-    variation_bar.resize(number_count());
-    area_bar.resize(number_count());
-  }
-  slots.assign(slot, 0.0);
-  for (auto& entry : by_net) work.push_back(std::move(entry.second));
-}
-
-// Faces by falling cost, each to the member with the least so far.
-void Evaluator::State::plan_shares() {
-  std::vector<const FaceWork*> order;
-  for (const FaceWork& w : work) order.push_back(&w);
-  const auto cost = [](const FaceWork* w) {
-    constexpr int nodes =
-        40;  // the part of a face's cost that its degrees do not change, in points of a net
-    return (nodes + (w->rule->degree_u + 1) * (w->rule->degree_v + 1)) *
-           int(w->terms.size() + (w->area_slot >= 0));
-  };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return cost(a) > cost(b); });
-  shares.resize(team.size());
-  std::vector<int> load(team.size(), 0);
-  for (const FaceWork* w : order) {
-    const auto least = std::min_element(load.begin(), load.end()) - load.begin();
-    shares[least].push_back(w);
-    load[least] += cost(w);
-  }
-}
 
 void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
   const double* points = nets() + w.net;
@@ -216,41 +124,38 @@ void Evaluator::State::run_faces(bool with_gradient) {
   });
 }
 
-double Evaluator::State::closeness(double weight, bool with_gradient) {
-  const double count = double(context->plan.kept_begin);
+double Evaluator::State::sum_slots(FaceWorkPlan::SlotRange range) const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < start_nets.size(); ++k) {
-    const double move = nets()[k] - start_nets[k];
-    sum += move * move;
-    if (with_gradient) nets_bar()[k] += 2.0 * weight / count * move;
+  for (int k = range.first; k < range.second; ++k) sum += slots[k];
+  return both_halves * sum;
+}
+
+double Evaluator::State::term_value(std::size_t index, bool with_gradient) {
+  const Term& term = options.terms[index];
+  if (term.kind == TermKind::closeness)
+    return closeness->value(nets(), term.weight, with_gradient ? nets_bar() : nullptr);
+  const double sum = sum_slots(faces.term_slots[index]);
+  if (term.kind != TermKind::variation) return sum;
+  const double area = sum_slots(faces.area_slots);
+  if (with_gradient) {
+    for (int k = 0; k < number_count(); ++k) {
+      nets_bar()[k] += term.weight * (area * variation_bar[k] + sum * area_bar[k]);
+    }
   }
-  return sum / count;
+  return sum * area;
 }
 
 double Evaluator::State::sum_terms(bool with_gradient) {
-  const auto total = [&](std::pair<int, int> range) {
-    double sum = 0.0;
-    for (int k = range.first; k < range.second; ++k) sum += slots[k];
-    return both_halves * sum;
-  };
   double sum = 0.0;
   for (std::size_t t = 0; t < options.terms.size(); ++t) {
-    const Term& term = options.terms[t];
-    if (term.kind == TermKind::closeness) {
-      term_values[t] = closeness(term.weight, with_gradient);
-    } else {
-      term_values[t] = total(term_slots[t]);
-    }
-    if (term.kind == TermKind::variation) {
-      const double area = total(area_slots), variation = term_values[t];
-      term_values[t] = variation * area;
-      if (with_gradient) {
-        for (int k = 0; k < number_count(); ++k) {
-          nets_bar()[k] += term.weight * (area * variation_bar[k] + variation * area_bar[k]);
-        }
-      }
-    }
-    sum += term.weight * term_values[t];
+    term_values[t] = term_value(t, with_gradient);
+    sum += options.terms[t].weight * term_values[t];
+  }
+  for (std::size_t t = 0; t < options.net_terms.size(); ++t) {
+    const WeightedNetTerm& extra = options.net_terms[t];
+    net_term_values[t] =
+        extra.term->value(nets(), extra.weight, with_gradient ? nets_bar() : nullptr);
+    sum += extra.weight * net_term_values[t];
   }
   return sum;
 }
@@ -282,6 +187,8 @@ const BodyContext& Evaluator::context() const { return *state_->context; }
 std::shared_ptr<const BodyContext> Evaluator::shared_context() const { return state_->context; }
 const EvaluatorOptions& Evaluator::options() const { return state_->options; }
 const std::vector<double>& Evaluator::term_values() const { return state_->term_values; }
+const std::vector<double>& Evaluator::net_term_values() const { return state_->net_term_values; }
+std::shared_ptr<NetTerm> Evaluator::closeness() const { return state_->closeness; }
 const Eigen::VectorXd& Evaluator::parameters() const { return state_->parameters; }
 const double* Evaluator::nets() const { return state_->nets(); }
 
@@ -294,6 +201,14 @@ void Evaluator::build(const Eigen::VectorXd& x) {
   if (x.size() != size())
     throw std::invalid_argument("an evaluator was given a vector of the wrong size");
   s.context->map.scatter(s.selected, x, s.parameters);
+  s.builder->build(s.parameters.data(), s.stage);
+}
+
+void Evaluator::build_parameters(const Eigen::VectorXd& parameters) {
+  State& s = *state_;
+  if (parameters.size() != s.parameters.size())
+    throw std::invalid_argument("an evaluator was given parameters of the wrong size");
+  s.parameters = parameters;
   s.builder->build(s.parameters.data(), s.stage);
 }
 

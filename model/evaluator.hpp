@@ -7,15 +7,18 @@
 #include "model/body_plan.hpp"
 #include "model/kernels.hpp"
 #include "model/model.hpp"
+#include "model/net_term.hpp"
 #include "model/objective.hpp"
 #include "model/variables.hpp"
 
 namespace bodyline::model {
 
 struct EvaluatorOptions {
-  std::vector<Term> terms;  ///< weighted sum to evaluate
-  int nodes = 8;            ///< Gauss nodes per direction on each face, a multiple of 8
-  int threads = 1;          ///< within one evaluation; results have the same bits for any number
+  std::vector<Term> terms;                 ///< weighted sum to evaluate,
+  std::vector<WeightedNetTerm> net_terms;  ///< with these added
+  Stage stage = Stage::base;               ///< build at least so far, whatever the terms need
+  int nodes = 8;    ///< Gauss nodes per direction on each face, a multiple of 8
+  int threads = 1;  ///< within one evaluation; results have the same bits for any number
   FoldOptions fold;
   Isa isa = best_isa();
 };
@@ -53,6 +56,10 @@ class Evaluator {
 
   /// Unweighted values of the terms, in the order of options().terms, at the last x.
   const std::vector<double>& term_values() const;
+  const std::vector<double>& net_term_values() const;  ///< likewise of options().net_terms
+
+  /// The closeness to the model's own nets, as the term of that kind measures it.
+  std::shared_ptr<NetTerm> closeness() const;
 
   /// All parameters and all nets (xyz, at the plan's offsets) at the last x.
   const Eigen::VectorXd& parameters() const;
@@ -61,6 +68,8 @@ class Evaluator {
   /// Only the stage variables -> nets, and its adjoint; for measurements and for terms outside this
   /// class.
   void build(const Eigen::VectorXd& x);
+  /// The same from all parameters of the plan's layout, as a blend of models gives them.
+  void build_parameters(const Eigen::VectorXd& parameters);
   void build_pullback(const std::vector<double>& nets_bar, Eigen::VectorXd& gradient);
 
  private:

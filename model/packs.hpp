@@ -42,5 +42,26 @@ struct Pack {
   static Real numbers(const double* of_lane) { return Real(of_lane[0]); }
 };
 
+/// The next type of fewer lanes that a batch may have.
+template <class Real>
+struct Narrower {
+  using Type = Real;
+};
+
+/// Names a type to a generic lambda.
+template <class Real>
+struct Width {
+  using Type = Real;
+};
+
+/// act(Width of as many lanes as asked for), from Real downwards.
+template <class Real, class Act>
+void with_width(int lanes, const Act& act) {
+  if constexpr (Pack<Real>::lanes > 1) {
+    if (lanes < Pack<Real>::lanes) return with_width<typename Narrower<Real>::Type>(lanes, act);
+  }
+  act(Width<Real>{});
+}
+
 }  // namespace BODYLINE_ISA_NAMESPACE
 }  // namespace bodyline::model

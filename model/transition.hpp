@@ -6,6 +6,7 @@
 #include "model/isa_namespace.hpp"
 #include "model/plane_solve.hpp"
 #include "model/vec3.hpp"
+#include "model/where.hpp"
 
 /// The transition across a joint: cubic across, the joint's degree along (docs/mathematics.md,
 /// section 6). Each side gives two rows, its kept edge and the handle row; both are functions of
@@ -98,23 +99,6 @@ void transition_handle_pullback(int n, const TransitionSide<Real>& side, bool le
   }
   bar.fullness += Real(1.0 / 3.0) * side.stretch * reach_bar;
   bar.stretch += Real(1.0 / 3.0) * side.fullness * reach_bar;
-}
-
-/// The number whose sign decides a branch: the value itself, whatever derivatives it carries.
-inline double branch_value(double value) { return value; }
-template <class Real>
-double branch_value(const Real& value) {
-  if constexpr (requires { value.real(); }) {
-    return value.real();
-  } else {
-    return value.a;
-  }
-}
-
-/// `yes` where x >= floor, else `no`. A type of several lanes brings its own.
-template <class Real>
-Real where_at_least(const Real& x, const Real& floor, const Real& yes, const Real& no) {
-  return branch_value(x) >= branch_value(floor) ? yes : no;
 }
 
 /// x where it is at least `floor`, else a positive number below it that fades out as x falls: twice

@@ -1,15 +1,13 @@
 #include "optimize/energy_residuals.hpp"
 
-#include <ceres/jet.h>
-
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
-#include "model/face_rule.hpp"
-#include "optimize/node_residuals.hpp"
+#include "model/net_jacobian.hpp"
+#include "model/variables.hpp"
+#include "optimize/face_residuals.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -21,111 +19,51 @@ using Eigen::VectorXd;
 // Every face counts twice: side faces for their mirror images, central ones because their left half
 // is summed.
 constexpr double both_halves = 2.0;
-
-// One energy on one face: its rows in the residual vector and its quadrature.
-struct Block {
-  model::TermKind kind;
-  double weight;
-  int term;
-  const model::Face* face;
-  std::unique_ptr<model::FaceTables> tables;
-  Index first_row = 0, coordinates = 0, rows = 0;  // rows = coordinates + 1
-};
-
-model::Range range_of(const model::Face& face) {
-  if (!face.central) return model::Range::whole;
-  return face.central_along_u ? model::Range::half_u : model::Range::half_v;
-}
+constexpr double square_metre = 1e6;  // mm^2
 
 bool is_energy(model::TermKind kind) {
   return kind == model::TermKind::bending || kind == model::TermKind::variation;
 }
 
-// Residuals of one node and their derivatives with respect to its jet (`inputs` numbers).
-template <int inputs, int outputs, class Function>
-void differentiate(const double* jet, const Function& function, double* value, double* derivative) {
-  using Dual = ceres::Jet<double, inputs>;
-  Dual in[inputs], out[outputs];
-  for (int k = 0; k < inputs; ++k) in[k] = Dual(jet[k], k);
-  function(in, out);
-  for (int r = 0; r < outputs; ++r) {
-    value[r] = out[r].a;
-    for (int k = 0; k < inputs; ++k) derivative[r * inputs + k] = out[r].v[k];
-  }
-}
+// Rows of the residual vector that come from one energy on one face.
+struct FaceRows {
+  double weight = 1.0;
+  bool times_area = false;
+  FaceResiduals residuals;
+  MatrixXd triangle;
+};
 
-// Derivative orders (in u, in v) of the jets 1..9, in the order of model::jet_index.
-constexpr int order_u[9] = {1, 0, 2, 1, 0, 3, 2, 1, 0};
-constexpr int order_v[9] = {0, 1, 0, 1, 2, 0, 1, 2, 3};
+// Rows that come from a term on the nets.
+struct NetRows {
+  double weight = 1.0;
+  std::shared_ptr<model::NetTerm> term;
+  model::NetTerm::Jacobian jacobian;
+};
 
-// Full residuals of a face, nodes * per_node rows, and their Jacobian with respect to its net (and
-// blend).
-void face_residuals(const Block& block, const model::Kernels& kernels, const double* net,
-                    const double* blend, double factor, VectorXd& residual, MatrixXd* jacobian) {
-  const model::FaceRule& rule = block.tables->rule();
-  const int nodes = rule.nodes, n1 = rule.degree_v + 1, m1 = rule.degree_u + 1;
-  const bool bending = block.kind == model::TermKind::bending;
-  const int per_node = bending ? 3 : 2, jets = bending ? 5 : 9;
-  std::vector<double> all(std::size_t(10) * 3 * nodes * nodes);
-  kernels.jets(rule, net, blend, bending ? 2 : 3, all.data());
-  residual.resize(Index(nodes) * nodes * per_node);
-  if (jacobian) jacobian->setZero(residual.size(), block.coordinates);
-  for (int kv = 0; kv < nodes; ++kv) {
-    for (int ku = 0; ku < nodes; ++ku) {
-      double jet[27], value[3], derivative[3 * 27];
-      for (int q = 0; q < jets; ++q) {
-        for (int c = 0; c < 3; ++c)
-          jet[3 * q + c] = all[((std::size_t(q + 1) * 3 + c) * nodes + kv) * nodes + ku];
-      }
-      if (bending) {
-        differentiate<15, 3>(
-            jet, [](const auto* in, auto* out) { bending_residuals(in, out); }, value, derivative);
-      } else {
-        differentiate<27, 2>(
-            jet, [](const auto* in, auto* out) { variation_residuals(in, out); }, value,
-            derivative);
-      }
-      const double root = std::sqrt(factor * rule.weights_u[ku] * rule.weights_v[kv]);
-      const Index row = (Index(kv) * nodes + ku) * per_node;
-      for (int r = 0; r < per_node; ++r) residual[row + r] = root * value[r];
-      if (!jacobian) continue;
-      for (int q = 0; q < jets; ++q) {
-        const double* bu = rule.basis_u + std::size_t(order_u[q]) * m1 * nodes + ku;
-        const double* bv = rule.basis_v + std::size_t(order_v[q]) * n1 * nodes + kv;
-        for (int r = 0; r < per_node; ++r) {
-          const double* slope = derivative + (r * jets + q) * 3;
-          for (int i = 0; i < m1; ++i) {
-            for (int j = 0; j < n1; ++j) {
-              const double basis = root * bu[i * nodes] * bv[j * nodes];
-              for (int c = 0; c < 3; ++c)
-                (*jacobian)(row + r, 3 * (i * n1 + j) + c) += basis * slope[c];
-            }
-          }
-          if (!rule.blend) continue;
-          const double g = root * rule.blend[(std::size_t(q + 1) * nodes + kv) * nodes + ku];
-          for (int c = 0; c < 3; ++c) (*jacobian)(row + r, 3 * m1 * n1 + c) += g * slope[c];
-        }
-      }
-    }
-  }
-}
+// One row, the square root of a term.
+struct RootRow {
+  double weight = 1.0;
+  std::unique_ptr<model::Evaluator> term;  // alone, with weight 1
+};
 
 }  // namespace
 
 struct EnergyResiduals::State {
   explicit State(model::Evaluator& given);
-  void add_blocks(int term);
-  MatrixXd net_jacobian(const Block& block);
-  void evaluate_block(const Block& block, double factor, VectorXd& residual, MatrixXd* jacobian);
-  void evaluate_roots(const VectorXd& x, VectorXd& residual, MatrixXd* jacobian);
+  void add_term(const model::Term& term);
+  void add_energy(const model::Term& term);
   std::unique_ptr<model::Evaluator> single_term(const model::Term& term) const;
+  MatrixXd needed_net_jacobian();
+  void evaluate_blocks(double area_value, VectorXd& residual, bool with_jacobian);
+  void evaluate_roots(const VectorXd& x, VectorXd& residual, MatrixXd* jacobian);
+  void chain_blocks(double area_value, const VectorXd& area_gradient, const VectorXd& residual,
+                    MatrixXd& jacobian);
 
   model::Evaluator* evaluator;
-  std::vector<Block> blocks;
-  // Terms that are one square root each, and the area that multiplies the variation; each alone
-  // with weight 1.
-  std::vector<std::pair<double, std::unique_ptr<model::Evaluator>>> roots;
-  std::unique_ptr<model::Evaluator> area;
+  std::vector<FaceRows> faces;
+  std::vector<NetRows> nets;
+  std::vector<RootRow> roots;
+  std::unique_ptr<model::Evaluator> area;  // multiplies the variation
   Index rows = 0;
 };
 
@@ -134,111 +72,119 @@ std::unique_ptr<model::Evaluator> EnergyResiduals::State::single_term(
   model::EvaluatorOptions options = evaluator->options();
   options.terms = {term};
   options.terms.front().weight = 1.0;
+  options.net_terms.clear();
   return std::make_unique<model::Evaluator>(evaluator->shared_context(), evaluator->selected(),
                                             options);
 }
 
 EnergyResiduals::State::State(model::Evaluator& given) : evaluator(&given) {
-  const std::vector<model::Term>& terms = given.options().terms;
-  for (int t = 0; t < int(terms.size()); ++t) {
-    if (terms[t].weight < 0.0) {
-      throw std::invalid_argument("the weight of " + model::term_name(terms[t].kind) +
-                                  " is negative; a sum of squares needs weights of 0 or more");
-    }
-    if (is_energy(terms[t].kind)) {
-      add_blocks(t);
-    } else {
-      roots.emplace_back(terms[t].weight, single_term(terms[t]));
-    }
-    if (terms[t].kind == model::TermKind::variation) {
-      area = single_term({model::TermKind::area, 1.0, terms[t].stage, {}});
-    }
+  for (const model::Term& term : given.options().terms) add_term(term);
+  for (const model::WeightedNetTerm& extra : given.options().net_terms) {
+    if (extra.weight < 0.0)
+      throw std::invalid_argument(
+          "the weight of a term is negative; a sum of squares needs 0 or more");
+    nets.push_back({extra.weight, extra.term, {}});
   }
-  for (Block& block : blocks) {
-    block.first_row = rows;
-    rows += block.rows;
-  }
+  for (const FaceRows& block : faces) rows += block.residuals.rows();
+  for (const NetRows& block : nets) rows += block.term->residual_count();
   rows += Index(roots.size());
 }
 
-void EnergyResiduals::State::add_blocks(int term_index) {
-  const model::Term& term = evaluator->options().terms[term_index];
+void EnergyResiduals::State::add_term(const model::Term& term) {
+  if (term.weight < 0.0) {
+    throw std::invalid_argument("the weight of " + model::term_name(term.kind) +
+                                " is negative; a sum of squares needs weights of 0 or more");
+  }
+  if (is_energy(term.kind)) {
+    add_energy(term);
+  } else if (term.kind == model::TermKind::closeness) {
+    nets.push_back({term.weight, evaluator->closeness(), {}});
+  } else {
+    roots.push_back({term.weight, single_term(term)});
+  }
+}
+
+void EnergyResiduals::State::add_energy(const model::Term& term) {
+  const bool variation = term.kind == model::TermKind::variation;
   for (const model::Face& face : evaluator->context().plan.faces(term.stage)) {
     const bool chosen =
         term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
           return model::name_matches(p, face.name);
         });
     if (!chosen) continue;
-    Block block{term.kind, term.weight, term_index, &face, nullptr};
-    block.tables = std::make_unique<model::FaceTables>(
-        face.degree_u, face.degree_v, evaluator->options().nodes, range_of(face), face.blend >= 0);
-    block.coordinates = 3 * (face.degree_u + 1) * (face.degree_v + 1) + (face.blend >= 0 ? 3 : 0);
-    block.rows = block.coordinates + 1;
-    blocks.push_back(std::move(block));
+    faces.push_back({term.weight, variation, {evaluator->options(), term.kind, face}, {}});
   }
+  if (variation) area = single_term({model::TermKind::area, 1.0, term.stage, {}});
 }
 
-// d (net, blend) / d variables, one row per coordinate, by the pullback of unit adjoints.
-MatrixXd EnergyResiduals::State::net_jacobian(const Block& block) {
-  MatrixXd jacobian(block.coordinates, evaluator->size());
-  std::vector<double> bar(3 * std::size_t(evaluator->context().plan.point_count), 0.0);
-  VectorXd row(evaluator->size());
-  const Index net_coordinates = 3 * (block.face->degree_u + 1) * (block.face->degree_v + 1);
-  for (Index k = 0; k < block.coordinates; ++k) {
-    const Index at =
-        k < net_coordinates ? 3 * block.face->net + k : 3 * block.face->blend + k - net_coordinates;
-    bar[at] = 1.0;
-    evaluator->build_pullback(bar, row);
-    bar[at] = 0.0;
-    jacobian.row(k) = row.transpose();
+// d nets / d variables where the blocks' Jacobians have columns.
+MatrixXd EnergyResiduals::State::needed_net_jacobian() {
+  std::vector<char> needed(3 * std::size_t(evaluator->context().plan.point_count), 0);
+  for (const FaceRows& block : faces) {
+    for (const Index k : block.residuals.coordinates()) needed[k] = 1;
   }
-  return jacobian;
+  for (const NetRows& block : nets) {
+    for (Index k = 0; k < block.jacobian.nonZeros(); ++k)
+      needed[block.jacobian.innerIndexPtr()[k]] = 1;
+  }
+  std::vector<Index> wanted;
+  for (std::size_t k = 0; k < needed.size(); ++k) {
+    if (needed[k]) wanted.push_back(Index(k));
+  }
+  return model::net_jacobian(*evaluator, wanted);
 }
 
-void EnergyResiduals::State::evaluate_block(const Block& block, double factor, VectorXd& residual,
-                                            MatrixXd* jacobian) {
-  const double* net = evaluator->nets() + 3 * block.face->net;
-  const double* blend =
-      block.face->blend >= 0 ? evaluator->nets() + 3 * block.face->blend : nullptr;
-  VectorXd full;
-  MatrixXd full_jacobian;
-  face_residuals(block, model::kernels(evaluator->options().isa), net, blend, factor, full,
-                 jacobian ? &full_jacobian : nullptr);
-  auto own = residual.segment(block.first_row, block.rows);
-  own.setZero();
-  if (!jacobian) {
-    own[0] = full.norm();
-    return;
+// Residuals of the blocks, and their derivatives by the nets, at the evaluator's nets.
+void EnergyResiduals::State::evaluate_blocks(double area_value, VectorXd& residual,
+                                             bool with_jacobian) {
+  const double* points = evaluator->nets();
+  Index row = 0;
+  for (FaceRows& block : faces) {
+    const double factor = both_halves * block.weight * (block.times_area ? area_value : 1.0);
+    block.residuals.evaluate(points, factor, residual.segment(row, block.residuals.rows()),
+                             with_jacobian ? &block.triangle : nullptr);
+    row += block.residuals.rows();
   }
-  // [J r] = Q [R c]: the triangle R and c have the same squares, gradient and normal matrix as J
-  // and r.
-  MatrixXd joined(full.size(), block.coordinates + 1);
-  joined.leftCols(block.coordinates) = full_jacobian;
-  joined.col(block.coordinates) = full;
-  const Eigen::HouseholderQR<MatrixXd> qr(joined);
-  const Index kept = std::min<Index>(block.rows, full.size());
-  MatrixXd triangle = qr.matrixQR().topRows(kept).triangularView<Eigen::Upper>();
-  own.head(kept) = triangle.col(block.coordinates);
-  jacobian->middleRows(block.first_row, block.rows).setZero();
-  jacobian->middleRows(block.first_row, kept).noalias() =
-      triangle.leftCols(block.coordinates) * net_jacobian(block);
+  for (NetRows& block : nets) {
+    auto own = residual.segment(row, block.term->residual_count());
+    block.term->residuals(points, own, with_jacobian ? &block.jacobian : nullptr);
+    own *= std::sqrt(block.weight);
+    row += own.size();
+  }
 }
 
 void EnergyResiduals::State::evaluate_roots(const VectorXd& x, VectorXd& residual,
                                             MatrixXd* jacobian) {
   Index row = rows - Index(roots.size());
   VectorXd gradient(evaluator->size());
-  for (auto& [weight, single] : roots) {
-    const double value = single->evaluate(x, jacobian ? &gradient : nullptr);
-    residual[row] = std::sqrt(weight * value);
+  for (const RootRow& root : roots) {
+    const double value = root.term->evaluate(x, jacobian ? &gradient : nullptr);
+    residual[row] = std::sqrt(root.weight * value);
     if (jacobian) {
-      if (residual[row] > 0.0) {
-        jacobian->row(row) = (0.5 * weight / residual[row]) * gradient.transpose();
-      } else {
-        jacobian->row(row).setZero();
-      }
+      const double slope = residual[row] > 0.0 ? 0.5 * root.weight / residual[row] : 0.0;
+      jacobian->row(row) = slope * gradient.transpose();
     }
     ++row;
+  }
+}
+
+// From the blocks' derivatives by the nets to rows of the Jacobian.
+void EnergyResiduals::State::chain_blocks(double area_value, const VectorXd& area_gradient,
+                                          const VectorXd& residual, MatrixXd& jacobian) {
+  const MatrixXd by_variables = needed_net_jacobian();
+  Index row = 0;
+  for (const FaceRows& block : faces) {
+    const auto own = residual.segment(row, block.residuals.rows());
+    auto target = jacobian.middleRows(row, own.size());
+    target.noalias() = block.triangle * by_variables(block.residuals.coordinates(), Eigen::all);
+    // r = sqrt(area) rho: the area's own derivative.
+    if (block.times_area) target += (0.5 / area_value) * own * area_gradient.transpose();
+    row += own.size();
+  }
+  for (const NetRows& block : nets) {
+    const Index count = block.term->residual_count();
+    jacobian.middleRows(row, count) = std::sqrt(block.weight) * (block.jacobian * by_variables);
+    row += count;
   }
 }
 
@@ -253,18 +199,14 @@ void EnergyResiduals::evaluate(const VectorXd& x, VectorXd& residual, MatrixXd* 
   s.evaluator->build(x);
   double area = 1.0;
   VectorXd area_gradient(s.evaluator->size());
-  // The area term is in m^2, the variation in 1/mm^2.
-  if (s.area) area = 1e6 * s.area->evaluate(x, jacobian ? &area_gradient : nullptr);
-  for (const Block& block : s.blocks) {
-    const bool variation = block.kind == model::TermKind::variation;
-    s.evaluate_block(block, both_halves * block.weight * (variation ? area : 1.0), residual,
-                     jacobian);
-    if (!variation || !jacobian) continue;
-    // r = sqrt(area) rho: the area's own derivative.
-    jacobian->middleRows(block.first_row, block.rows) +=
-        (0.5e6 / area) * residual.segment(block.first_row, block.rows) * area_gradient.transpose();
+  if (s.area) {
+    // The area term is in m^2, the variation in 1/mm^2.
+    area = square_metre * s.area->evaluate(x, jacobian ? &area_gradient : nullptr);
+    area_gradient *= square_metre;
   }
+  s.evaluate_blocks(area, residual, jacobian != nullptr);
   s.evaluate_roots(x, residual, jacobian);
+  if (jacobian) s.chain_blocks(area, area_gradient, residual, *jacobian);
 }
 
 }  // namespace bodyline::optimize
