@@ -4,11 +4,10 @@
 
 #include <algorithm>
 
+#include "model/factors.hpp"
+
 namespace bodyline::cli {
 namespace {
-
-constexpr double square_mm_per_square_m = 1e6;
-constexpr double cubic_mm_per_cubic_m = 1e9;
 
 std::string sentences(const std::string& title, const std::vector<std::string>& list) {
   if (list.empty()) return "";
@@ -60,9 +59,9 @@ std::string size_table(const model::BodyCheck& check) {
   text += fmt::format("  length {:.1f} mm, width {:.1f} mm, height {:.1f} mm", size.x(), size.y(),
                       size.z());
   if (totals.wheelbase_mm) text += fmt::format(", wheelbase {:.1f} mm", *totals.wheelbase_mm);
-  text += fmt::format("\n  area {:.4f} m2", totals.area_mm2 / square_mm_per_square_m);
+  text += fmt::format("\n  area {:.4f} m2", totals.area_mm2 / model::square_mm_per_square_m);
   if (totals.volume_mm3) {
-    text += fmt::format(", volume {:.4f} m3", *totals.volume_mm3 / cubic_mm_per_cubic_m);
+    text += fmt::format(", volume {:.4f} m3", *totals.volume_mm3 / model::cubic_mm_per_cubic_m);
   }
   return text + fmt::format("\n  bending {:.6g}, variation times area {:.4g}\n\n", totals.bending,
                             totals.variation_times_area);

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "model/selection.hpp"
 #include "model/suggest.hpp"
 
 namespace bodyline::cli {
@@ -119,7 +120,8 @@ std::vector<int> assign(const model::VariableMap& map, const Assignment& assignm
   }
   std::vector<int> variables;
   for (const auto& [variable, demand] : demands) {
-    map.scatter({variable}, Eigen::VectorXd::Constant(1, demand.variable_value), parameters);
+    model::Selection(map, {variable})
+        .scatter(Eigen::VectorXd::Constant(1, demand.variable_value), parameters);
     parameters[demand.parameter] = demand.number;  // the offset of a tie may have cost a bit
     variables.push_back(variable);
   }

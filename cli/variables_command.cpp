@@ -45,12 +45,6 @@ struct Listing {
   std::vector<int> fixed;
 };
 
-bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
-  return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const auto& p) {
-           return model::name_matches(p, name);
-         });
-}
-
 void refuse_idle_patterns(const model::VariableMap& map, const Request& request) {
   for (const std::string& pattern : request.patterns) {
     bool moves = false, matches = false;
@@ -72,7 +66,7 @@ Listing listing(const model::VariableMap& map, const Request& request) {
   refuse_idle_patterns(map, request);
   Listing list;
   for (int k = 0; k < map.layout().size(); ++k) {
-    if (!any_matches(request.patterns, map.parameter_names()[k])) continue;
+    if (!model::name_is_chosen(request.patterns, map.parameter_names()[k])) continue;
     if (const int variable = map.variable_of(k); variable >= 0) {
       list.variables.push_back(variable);
     } else if (request.fixed) {

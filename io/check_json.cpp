@@ -3,13 +3,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/factors.hpp"
+
 namespace bodyline::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double square_mm_per_square_m = 1e6;
-constexpr double cubic_mm_per_cubic_m = 1e9;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -50,15 +49,15 @@ Json face_json(const model::FaceCheck& face) {
           {"max_normal_turn_deg", number(face.fold.max_turn_deg)},
           {"worst_uv", {face.fold.u, face.fold.v}},
           {"worst_point", point(face.fold.point)},
-          {"area_m2", number(face.integrals.area_mm2 / square_mm_per_square_m)},
+          {"area_m2", number(face.integrals.area_mm2 / model::square_mm_per_square_m)},
           {"bending", number(face.integrals.bending)},
           {"variation_per_mm2", number(face.integrals.variation_per_mm2)}};
 }
 
 Json totals_json(const model::BodyTotals& totals) {
   const Eigen::Vector3d size = totals.box.size();
-  return {{"area_m2", number(totals.area_mm2 / square_mm_per_square_m)},
-          {"volume_m3", number(totals.volume_mm3, cubic_mm_per_cubic_m)},
+  return {{"area_m2", number(totals.area_mm2 / model::square_mm_per_square_m)},
+          {"volume_m3", number(totals.volume_mm3, model::cubic_mm_per_cubic_m)},
           {"length_mm", number(size.x())},
           {"width_mm", number(size.y())},
           {"height_mm", number(size.z())},

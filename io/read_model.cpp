@@ -11,6 +11,7 @@
 #include "io/model_file_text.hpp"
 #include "io/model_file_warnings.hpp"
 #include "model/connect.hpp"
+#include "model/factors.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -22,7 +23,7 @@ double millimetres_per_unit(const FileTable& root) {
   const std::string unit = root.text_or("units", "mm");
   if (unit == "mm") return 1.0;
   if (unit == "cm") return 10.0;
-  if (unit == "m") return 1000.0;
+  if (unit == "m") return model::mm_per_m;
   if (unit == "in") return 25.4;
   root.fail("units", "is " + in_quotes(unit) + "; allowed are \"mm\", \"cm\", \"m\" and \"in\".");
 }

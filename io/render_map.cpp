@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "model/factors.hpp"
+
 namespace bodyline::io {
 namespace {
 
@@ -29,7 +31,8 @@ constexpr int range_samples = 8;   // per direction and face
 // In the unit of the map: 1/m and 1/m^2 from 1/mm and 1/mm^2.
 double map_value(Map map, const model::SurfaceJet& jet, bool inward) {
   const model::Curvature curvature = model::curvature(jet, inward);
-  return map == Map::gauss ? 1e6 * curvature.gauss : 1e3 * curvature.mean;
+  return map == Map::gauss ? model::square_mm_per_square_m * curvature.gauss
+                           : model::mm_per_m * curvature.mean;
 }
 
 double rounded_up(double value) {

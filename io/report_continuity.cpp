@@ -6,12 +6,12 @@
 #include "io/report_html.hpp"
 #include "io/report_sections.hpp"
 #include "model/check_findings.hpp"
+#include "model/factors.hpp"
 
 namespace bodyline::io {
 namespace {
 
 constexpr std::size_t shown_rows = 8;
-constexpr double mm_per_m = 1000.0;
 constexpr double rounding = 1e-9;  // of degrees and mm: what is smaller is no property of the body
 
 struct EdgePair {
@@ -92,8 +92,8 @@ std::string row(const EdgePair& pair) {
                      change_cell(before.normal_deviation_deg, after.normal_deviation_deg, rounding,
                                  is_kinked(*pair.after)),
                      change_cell(before.gap_mm, after.gap_mm, rounding, is_open(*pair.after)),
-                     change_cell(mm_per_m * before.curvature_jump_per_mm,
-                                 mm_per_m * after.curvature_jump_per_mm, 0.0, false));
+                     change_cell(model::mm_per_m * before.curvature_jump_per_mm,
+                                 model::mm_per_m * after.curvature_jump_per_mm, 0.0, false));
 }
 
 std::string table(const std::vector<EdgePair>& pairs, std::size_t first, std::size_t last) {

@@ -4,11 +4,10 @@
 
 #include "io/report_html.hpp"
 #include "io/report_sections.hpp"
+#include "model/factors.hpp"
 
 namespace bodyline::io {
 namespace {
-
-constexpr double square_mm_per_square_m = 1e6, cubic_mm_per_cubic_m = 1e9;
 
 std::string row(const char* name, const char* unit, int decimals, std::optional<double> before,
                 std::optional<double> after, double divisor = 1.0) {
@@ -39,9 +38,9 @@ std::string report_measures_section(const ReportFacts& facts) {
   html += row("Width", "mm", 1, size_before.y(), size_after.y());
   html += row("Height", "mm", 1, size_before.z(), size_after.z());
   html += row("Wheelbase", "mm", 1, before.wheelbase_mm, after.wheelbase_mm);
-  html += row("Area", "m²", 3, before.area_mm2, after.area_mm2, square_mm_per_square_m);
+  html += row("Area", "m²", 3, before.area_mm2, after.area_mm2, model::square_mm_per_square_m);
   html += row("Volume above the ground", "m³", 3, before.volume_mm3, after.volume_mm3,
-              cubic_mm_per_cubic_m);
+              model::cubic_mm_per_cubic_m);
   return html + "</tbody></table></div>\n</section>\n";
 }
 

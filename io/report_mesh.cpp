@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "io/tessellate.hpp"
+#include "model/factors.hpp"
 
 namespace bodyline::io {
 namespace {
 
 constexpr int cells_per_face = 16;
 constexpr double full = 32767.0;
-constexpr double mm_per_m = 1000.0;
 // Normals and curvatures are taken this far inside a face, in its parameters: corner patches have
 // points where they have none.
 constexpr double inset = 1e-3;
@@ -63,7 +63,7 @@ std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces,
       const model::Curvature curvature =
           model::curvature(model::jet(faces[f], u, v, 2), faces[f].inward);
       append(bytes, (grids[f].points[k] - frame.centre) / frame.half_size);
-      append(bytes, mm_per_m * curvature.mean / curvature_range);
+      append(bytes, model::mm_per_m * curvature.mean / curvature_range);
       append(bytes, model::outward_normal(faces[f], u, v));
       append(bytes, 0.0);
     }

@@ -6,15 +6,13 @@
 #include "model/body_builder.hpp"
 #include "model/closeness.hpp"
 #include "model/face_work.hpp"
+#include "model/factors.hpp"
+#include "model/selection.hpp"
 #include "model/team.hpp"
 
 namespace bodyline::model {
 namespace {
 
-constexpr double square_metre = 1e6;  // mm^2
-// Every face counts twice: side faces for their mirror images, central faces because only their
-// left half is summed.
-constexpr double both_halves = 2.0;
 constexpr int numbers_per_point = 3;
 
 }  // namespace
@@ -24,50 +22,34 @@ BodyContext::BodyContext(const Model& model, const VariableBounds& bounds)
       map(model, plan.links, bounds),
       parameters(to_parameters(model, plan.layout)) {}
 
+// Each member of a team builds the body for itself: numbers that another processor wrote cost more
+// to fetch than to compute again.
+struct Member {
+  std::unique_ptr<BodyBuilder> builder;
+  Eigen::VectorXd parameters;
+  std::vector<const FaceWork*> faces;  // its share
+};
+
 struct Evaluator::State {
-  State(std::shared_ptr<const BodyContext> shared, std::vector<int> chosen, EvaluatorOptions given)
-      : context(std::move(shared)),
-        selected(std::move(chosen)),
-        options(std::move(given)),
-        kernel(&kernels(options.isa)),
-        builder(make_body_builder(context->plan, options.isa)),
-        parameters(context->parameters),
-        parameters_bar(parameters.size()),
-        faces(plan_face_work(context->plan, options.terms, options.nodes)),
-        slots(faces.slot_count, 0.0),
-        term_values(options.terms.size(), 0.0),
-        net_term_values(options.net_terms.size(), 0.0),
-        team(std::max(1, options.threads)),
-        shares(deal_faces(faces, team.size())) {
-    if (faces.has_variation) {
-      variation_bar.resize(number_count());
-      area_bar.resize(number_count());
-    }
-    stage = std::max(options.stage, faces.stage);
-    for (const WeightedNetTerm& extra : options.net_terms) {
-      stage = std::max(stage, extra.term->stage());
-    }
-    builder->build(parameters.data(), stage);
-    closeness = std::make_shared<Closeness>(context->plan, nets());
-  }
+  State(std::shared_ptr<const BodyContext> shared, std::vector<int> chosen, EvaluatorOptions given);
 
   int number_count() const { return numbers_per_point * context->plan.point_count; }
-  double* nets() { return builder->nets(); }
-  double* nets_bar() { return builder->nets_bar(); }
-  void clear_adjoints();
+  const double* nets() const { return members.front().builder->nets(); }
+  double* nets_bar() { return members.front().builder->nets_bar(); }
+  void build(const Eigen::VectorXd& x, Member& member);
   void pull_back(Eigen::VectorXd& gradient);
-  void run_face(const FaceWork& work, bool with_gradient);
-  void run_faces(bool with_gradient);
-  double sum_slots(FaceWorkPlan::SlotRange range) const;
+  void clear_adjoints(NumberRange range);
+  void run_face(const FaceWork& work, const double* nets, bool with_gradient);
+  void run_members(const Eigen::VectorXd& x, bool with_gradient);
+  double sum_slots(NumberRange range) const;
   double term_value(std::size_t index, bool with_gradient);
   double sum_terms(bool with_gradient);
 
   std::shared_ptr<const BodyContext> context;
-  std::vector<int> selected;
+  Selection selection;
   EvaluatorOptions options;
   const Kernels* kernel;
-  std::unique_ptr<BodyBuilder> builder;
-  Eigen::VectorXd parameters, parameters_bar;
+  Eigen::VectorXd parameters_bar;
   FaceWorkPlan faces;
   std::vector<double> slots;  // value of each term on each face
   std::vector<double> term_values, net_term_values;
@@ -75,12 +57,44 @@ struct Evaluator::State {
   std::shared_ptr<Closeness> closeness;         // to the model's own nets
   Stage stage = Stage::base;
   Team team;
-  std::vector<std::vector<const FaceWork*>> shares;  // of each member of the team
+  std::vector<Member> members;  // the first one's adjoints are everybody's
 };
 
-void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
-  const double* points = nets() + w.net;
-  const double* blend = w.blend >= 0 ? nets() + w.blend : nullptr;
+Evaluator::State::State(std::shared_ptr<const BodyContext> shared, std::vector<int> chosen,
+                        EvaluatorOptions given)
+    : context(std::move(shared)),
+      selection(context->map, std::move(chosen)),
+      options(std::move(given)),
+      kernel(&kernels(options.isa)),
+      parameters_bar(context->parameters.size()),
+      faces(plan_face_work(context->plan, options.terms, options.nodes)),
+      slots(faces.slot_count, 0.0),
+      term_values(options.terms.size(), 0.0),
+      net_term_values(options.net_terms.size(), 0.0),
+      team(std::max(1, options.threads)) {
+  if (faces.has_variation) {
+    variation_bar.resize(number_count());
+    area_bar.resize(number_count());
+  }
+  stage = std::max(options.stage, faces.stage);
+  for (const WeightedNetTerm& extra : options.net_terms)
+    stage = std::max(stage, extra.term->stage());
+  for (auto& share : deal_faces(faces, team.size())) {
+    members.push_back(
+        {make_body_builder(context->plan, options.isa), context->parameters, std::move(share)});
+    members.back().builder->build(context->parameters.data(), stage);
+  }
+  closeness = std::make_shared<Closeness>(context->plan, nets());
+}
+
+void Evaluator::State::build(const Eigen::VectorXd& x, Member& member) {
+  selection.scatter(x, member.parameters);
+  member.builder->build(member.parameters.data(), stage);
+}
+
+void Evaluator::State::run_face(const FaceWork& w, const double* nets, bool with_gradient) {
+  const double* points = nets + w.net;
+  const double* blend = w.blend >= 0 ? nets + w.blend : nullptr;
   const auto value = [&](Kernels::Value plain, Kernels::Pullback pullback, double seed,
                          double* bars) {
     if (!with_gradient) return plain(*w.rule, points, blend);
@@ -100,8 +114,9 @@ void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
             value(kernel->variation, kernel->variation_pullback, both_halves, variation_bar.data());
         break;
       case TermKind::area:
-        slot = value(kernel->area, kernel->area_pullback, seed / square_metre, nets_bar()) /
-               square_metre;
+        slot =
+            value(kernel->area, kernel->area_pullback, seed / square_mm_per_square_m, nets_bar()) /
+            square_mm_per_square_m;
         break;
       case TermKind::fold:
         slot = with_gradient ? kernel->fold_pullback(*w.rule, points, blend, options.fold, seed,
@@ -117,14 +132,32 @@ void Evaluator::State::run_face(const FaceWork& w, bool with_gradient) {
     slots[w.area_slot] = value(kernel->area, kernel->area_pullback, both_halves, area_bar.data());
 }
 
+void Evaluator::State::clear_adjoints(NumberRange range) {
+  const auto clear = [&](double* bars) { std::fill(bars + range.first, bars + range.second, 0.0); };
+  clear(nets_bar());
+  if (!faces.has_variation) return;
+  clear(variation_bar.data());
+  clear(area_bar.data());
+}
+
 // Every face writes only its own slots and adjoints, so that the shares do not change the result.
-void Evaluator::State::run_faces(bool with_gradient) {
-  team.run([&](int member) {
-    for (const FaceWork* w : shares[member]) run_face(*w, with_gradient);
+void Evaluator::State::run_members(const Eigen::VectorXd& x, bool with_gradient) {
+  team.run([&](int index) {
+    Member& member = members[index];
+    build(x, member);
+    for (const FaceWork* w : member.faces) {
+      if (with_gradient) {
+        clear_adjoints({w->net, w->net + w->numbers});
+        if (w->blend >= 0) clear_adjoints({w->blend, w->blend + numbers_per_point});
+      }
+      run_face(*w, member.builder->nets(), with_gradient);
+    }
+    if (!with_gradient || index != 0) return;
+    for (const NumberRange& range : faces.between) clear_adjoints(range);
   });
 }
 
-double Evaluator::State::sum_slots(FaceWorkPlan::SlotRange range) const {
+double Evaluator::State::sum_slots(NumberRange range) const {
   double sum = 0.0;
   for (int k = range.first; k < range.second; ++k) sum += slots[k];
   return both_halves * sum;
@@ -163,14 +196,9 @@ double Evaluator::State::sum_terms(bool with_gradient) {
 // From the adjoints of the nets to those of the selected variables.
 void Evaluator::State::pull_back(Eigen::VectorXd& gradient) {
   parameters_bar.setZero();
-  builder->pullback(parameters.data(), stage, parameters_bar.data());
-  context->map.gather_pullback(selected, parameters_bar, gradient);
-}
-
-void Evaluator::State::clear_adjoints() {
-  std::fill_n(nets_bar(), number_count(), 0.0);
-  std::fill(variation_bar.begin(), variation_bar.end(), 0.0);
-  std::fill(area_bar.begin(), area_bar.end(), 0.0);
+  Member& first = members.front();
+  first.builder->pullback(first.parameters.data(), stage, parameters_bar.data());
+  selection.scatter_pullback(parameters_bar, gradient);
 }
 
 Evaluator::Evaluator(std::shared_ptr<const BodyContext> context, std::vector<int> selected,
@@ -181,45 +209,45 @@ Evaluator::~Evaluator() = default;
 Evaluator::Evaluator(Evaluator&&) noexcept = default;
 Evaluator& Evaluator::operator=(Evaluator&&) noexcept = default;
 
-int Evaluator::size() const { return int(state_->selected.size()); }
-const std::vector<int>& Evaluator::selected() const { return state_->selected; }
+int Evaluator::size() const { return state_->selection.size(); }
+const std::vector<int>& Evaluator::selected() const { return state_->selection.variables(); }
 const BodyContext& Evaluator::context() const { return *state_->context; }
 std::shared_ptr<const BodyContext> Evaluator::shared_context() const { return state_->context; }
 const EvaluatorOptions& Evaluator::options() const { return state_->options; }
 const std::vector<double>& Evaluator::term_values() const { return state_->term_values; }
 const std::vector<double>& Evaluator::net_term_values() const { return state_->net_term_values; }
 std::shared_ptr<NetTerm> Evaluator::closeness() const { return state_->closeness; }
-const Eigen::VectorXd& Evaluator::parameters() const { return state_->parameters; }
+const Eigen::VectorXd& Evaluator::parameters() const { return state_->members.front().parameters; }
 const double* Evaluator::nets() const { return state_->nets(); }
 
 Eigen::VectorXd Evaluator::start() const {
-  return state_->context->map.gather(state_->selected, state_->context->parameters);
+  return state_->selection.gather(state_->context->parameters);
+}
+
+void Evaluator::require_size(const Eigen::VectorXd& x) const {
+  if (x.size() != size())
+    throw std::invalid_argument("an evaluator was given a vector of the wrong size");
 }
 
 void Evaluator::build(const Eigen::VectorXd& x) {
-  State& s = *state_;
-  if (x.size() != size())
-    throw std::invalid_argument("an evaluator was given a vector of the wrong size");
-  s.context->map.scatter(s.selected, x, s.parameters);
-  s.builder->build(s.parameters.data(), s.stage);
+  require_size(x);
+  state_->build(x, state_->members.front());
 }
 
 void Evaluator::build_parameters(const Eigen::VectorXd& parameters) {
-  State& s = *state_;
-  if (parameters.size() != s.parameters.size())
+  Member& first = state_->members.front();
+  if (parameters.size() != first.parameters.size())
     throw std::invalid_argument("an evaluator was given parameters of the wrong size");
-  s.parameters = parameters;
-  s.builder->build(s.parameters.data(), s.stage);
+  first.parameters = parameters;
+  first.builder->build(first.parameters.data(), state_->stage);
 }
 
 double Evaluator::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
+  require_size(x);
   State& s = *state_;
-  const bool with_gradient = gradient != nullptr;
-  build(x);
-  if (with_gradient) s.clear_adjoints();
-  s.run_faces(with_gradient);
-  const double value = s.sum_terms(with_gradient);
-  if (with_gradient) {
+  s.run_members(x, gradient != nullptr);
+  const double value = s.sum_terms(gradient != nullptr);
+  if (gradient) {
     gradient->resize(size());
     s.pull_back(*gradient);
   }

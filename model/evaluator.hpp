@@ -73,6 +73,8 @@ class Evaluator {
   void build_pullback(const std::vector<double>& nets_bar, Eigen::VectorXd& gradient);
 
  private:
+  void require_size(const Eigen::VectorXd& x) const;
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -68,6 +68,12 @@ double* write_blend(const GaussRule& u, const GaussRule& v, double* table) {
   return table + jet_entries * nodes * nodes;
 }
 
+// The mirror image acts on u in transitions between central patches, elsewhere on v.
+Range summed_range(FaceKind kind, bool central) {
+  if (!central) return Range::whole;
+  return kind == FaceKind::transition ? Range::half_u : Range::half_v;
+}
+
 void require(bool condition, const std::string& sentence) {
   if (!condition) throw std::invalid_argument(sentence);
 }
@@ -88,6 +94,9 @@ GaussRule gauss_rule(int nodes, double lo, double hi) {
   }
   return rule;
 }
+
+Range summed_range(const Face& face) { return summed_range(face.kind, face.central); }
+Range summed_range(const Surface& surface) { return summed_range(surface.kind, surface.central); }
 
 void FaceTables::Deleter::operator()(double* p) const { ::operator delete[](p, table_alignment); }
 

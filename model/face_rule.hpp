@@ -3,7 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "model/body_plan.hpp"
 #include "model/kernels.hpp"
+#include "model/surface.hpp"
 
 namespace bodyline::model {
 
@@ -19,6 +21,10 @@ GaussRule gauss_rule(int nodes, double lo, double hi);
 /// What part of a face is integrated: all of it, or the half of a central face on the left
 /// (parameter in [0, 1/2]).
 enum class Range { whole, half_u, half_v };
+
+/// The part over which energies are summed: all of a side face, the left half of a central one.
+Range summed_range(const Face& face);
+Range summed_range(const Surface& surface);
 
 /// Owns the tables behind a FaceRule: Bernstein polynomials at the nodes, and the jets of the
 /// Gregory function (section 8) where `with_blend` asks for them. Can be moved, not copied; a rule

@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "model/suggest.hpp"
-#include "model/variables.hpp"
+#include "model/face_selection.hpp"
 
 namespace bodyline::model {
 namespace {
 
 constexpr int numbers_per_point = 3;
-
-Range range_of(const Face& face) {
-  if (!face.central) return Range::whole;
-  return face.central_along_u ? Range::half_u : Range::half_v;
-}
 
 class Planner {
  public:
@@ -35,11 +29,12 @@ class Planner {
 };
 
 const FaceRule* Planner::rule_for(const Face& face) {
-  const auto key = std::make_tuple(face.degree_u, face.degree_v, range_of(face), face.blend >= 0);
+  const auto key =
+      std::make_tuple(face.degree_u, face.degree_v, summed_range(face), face.blend >= 0);
   const auto found = plan_.tables.find(key);
   if (found != plan_.tables.end()) return &found->second.rule();
   return &plan_.tables
-              .try_emplace(key, face.degree_u, face.degree_v, nodes_, range_of(face),
+              .try_emplace(key, face.degree_u, face.degree_v, nodes_, summed_range(face),
                            face.blend >= 0)
               .first->second.rule();
 }
@@ -48,6 +43,7 @@ FaceWork& Planner::work_of(const Face& face) {
   FaceWork& work = by_net_[face.net];
   work.rule = rule_for(face);
   work.net = numbers_per_point * face.net;
+  work.numbers = numbers_per_point * (face.degree_u + 1) * (face.degree_v + 1);
   work.blend = face.blend < 0 ? -1 : numbers_per_point * face.blend;
   return work;
 }
@@ -56,21 +52,10 @@ void Planner::add_term(int index, const Term& term) {
   const int first = plan_.slot_count;
   if (is_on_faces(term.kind)) {
     plan_.stage = std::max(plan_.stage, term.stage);
-    std::vector<std::string> names;
-    for (const Face& face : body_.faces(term.stage)) {
-      names.push_back(face.name);
-      const bool chosen = term.faces.empty() ||
-                          std::any_of(term.faces.begin(), term.faces.end(),
-                                      [&](const auto& p) { return name_matches(p, face.name); });
-      if (!chosen) continue;
-      FaceWork& work = work_of(face);
+    for (const Face* face : choose_faces(body_, term.stage, term.faces)) {
+      FaceWork& work = work_of(*face);
       work.terms.push_back(index);
       work.slots.push_back(plan_.slot_count++);
-    }
-    if (plan_.slot_count == first) {
-      throw std::invalid_argument("no face of stage " + std::string(stage_name(term.stage)) +
-                                  " matches \"" + term.faces.front() + "\"; the nearest is \"" +
-                                  nearest_name(term.faces.front(), names) + "\"");
     }
   }
   plan_.term_slots.emplace_back(first, plan_.slot_count);
@@ -86,8 +71,27 @@ void Planner::add_area(const Term& term) {
   plan_.area_slots.second = plan_.slot_count;
 }
 
+// The numbers of no face, between the faces' nets and blends.
+std::vector<NumberRange> between_faces(const std::vector<FaceWork>& faces, int number_count) {
+  std::vector<NumberRange> used;
+  for (const FaceWork& w : faces) {
+    used.push_back({w.net, w.net + w.numbers});
+    if (w.blend >= 0) used.push_back({w.blend, w.blend + numbers_per_point});
+  }
+  std::sort(used.begin(), used.end());
+  std::vector<NumberRange> rest;
+  int end = 0;
+  for (const NumberRange& range : used) {
+    if (end < range.first) rest.push_back({end, range.first});
+    end = range.second;
+  }
+  if (end < number_count) rest.push_back({end, number_count});
+  return rest;
+}
+
 FaceWorkPlan Planner::finish() {
   for (auto& entry : by_net_) plan_.faces.push_back(std::move(entry.second));
+  plan_.between = between_faces(plan_.faces, numbers_per_point * body_.point_count);
   return std::move(plan_);
 }
 

@@ -7,12 +7,6 @@
 namespace bodyline::model {
 namespace {
 
-// The mirror image acts on u in transitions between central patches, elsewhere on v.
-Range left_half(const Surface& surface) {
-  if (!surface.central) return Range::whole;
-  return surface.kind == FaceKind::transition ? Range::half_u : Range::half_v;
-}
-
 // Sum of f(jet) du dv over a face; exact for polynomials of degree below 2 measure_nodes.
 template <class Value, class Function>
 Value integrate(const Surface& surface, Value sum, const Function& f) {
@@ -28,7 +22,7 @@ Value integrate(const Surface& surface, Value sum, const Function& f) {
 }  // namespace
 
 FaceIntegrals face_integrals(const Surface& surface, int nodes) {
-  const FaceTables tables(surface.degree_u, surface.degree_v, nodes, left_half(surface),
+  const FaceTables tables(surface.degree_u, surface.degree_v, nodes, summed_range(surface),
                           surface.blend.has_value());
   const Kernels& kernel = kernels(best_isa());
   const double* net = surface.net.front().data();

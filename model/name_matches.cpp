@@ -1,6 +1,7 @@
-#include <cctype>
+#include "model/name_matches.hpp"
 
-#include "model/variables.hpp"
+#include <algorithm>
+#include <cctype>
 
 namespace bodyline::model {
 namespace {
@@ -58,6 +59,12 @@ bool matches_from(const std::string& pattern, std::size_t p, const std::string& 
 
 bool name_matches(const std::string& pattern, const std::string& name) {
   return matches_from(pattern, 0, name, 0);
+}
+
+bool name_is_chosen(std::span<const std::string> patterns, const std::string& name) {
+  return patterns.empty() ||
+         std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string& pattern) { return name_matches(pattern, name); });
 }
 
 }  // namespace bodyline::model

@@ -188,31 +188,4 @@ std::vector<int> VariableMap::select(std::span<const std::string> patterns) cons
   return selected;
 }
 
-Eigen::VectorXd VariableMap::gather(const std::vector<int>& selected,
-                                    const Eigen::VectorXd& parameters) const {
-  Eigen::VectorXd x(selected.size());
-  for (std::size_t k = 0; k < selected.size(); ++k)
-    x[k] = parameters[variables_[selected[k]].ties.front().parameter];
-  return x;
-}
-
-void VariableMap::scatter(const std::vector<int>& selected, const Eigen::VectorXd& x,
-                          Eigen::VectorXd& parameters) const {
-  for (std::size_t k = 0; k < selected.size(); ++k) {
-    for (const Tie& tie : variables_[selected[k]].ties)
-      parameters[tie.parameter] = tie.factor * x[k] + tie.offset;
-  }
-}
-
-void VariableMap::gather_pullback(const std::vector<int>& selected,
-                                  const Eigen::VectorXd& parameters_bar,
-                                  Eigen::VectorXd& x_bar) const {
-  for (std::size_t k = 0; k < selected.size(); ++k) {
-    double sum = 0.0;
-    for (const Tie& tie : variables_[selected[k]].ties)
-      sum += tie.factor * parameters_bar[tie.parameter];
-    x_bar[k] = sum;
-  }
-}
-
 }  // namespace bodyline::model

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/connect.hpp"
+#include "model/name_matches.hpp"
 #include "model/parameters.hpp"
 
 /// The independent variables of a body. Parameters that mirror symmetry, shared curve ends or seams
@@ -54,20 +55,9 @@ class VariableMap {
   /// the symmetry plane).
   int variable_of(int parameter) const { return owner_[parameter]; }
 
-  /// Indices of the variables of which any parameter's name matches any pattern, in order. `*`
-  /// stands for any run of characters, `?` for one, `[1-2]` for a range of digits; other brackets
-  /// are taken as they are. A pattern that matches nothing throws std::invalid_argument, with the
-  /// nearest name.
+  /// Indices of the variables of which any parameter's name matches any pattern (`name_matches`),
+  /// in order. A pattern that matches nothing throws std::invalid_argument, with the nearest name.
   std::vector<int> select(std::span<const std::string> patterns) const;
-
-  /// Values of the selected variables in a parameter vector.
-  Eigen::VectorXd gather(const std::vector<int>& selected, const Eigen::VectorXd& parameters) const;
-  /// Moves the parameters that follow the selected variables.
-  void scatter(const std::vector<int>& selected, const Eigen::VectorXd& x,
-               Eigen::VectorXd& parameters) const;
-  /// Adjoint of scatter: x_bar[k] = sum of factor * parameters_bar over the ties of selected[k].
-  void gather_pullback(const std::vector<int>& selected, const Eigen::VectorXd& parameters_bar,
-                       Eigen::VectorXd& x_bar) const;
 
  private:
   ParameterLayout layout_;
@@ -75,8 +65,5 @@ class VariableMap {
   std::vector<Variable> variables_;
   std::vector<int> owner_;
 };
-
-/// Whether a name matches a pattern as VariableMap::select understands it.
-bool name_matches(const std::string& pattern, const std::string& name);
 
 }  // namespace bodyline::model

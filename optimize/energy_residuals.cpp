@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "model/face_selection.hpp"
+#include "model/factors.hpp"
 #include "model/net_jacobian.hpp"
-#include "model/variables.hpp"
 #include "optimize/face_residuals.hpp"
 
 namespace bodyline::optimize {
@@ -15,11 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-// Every face counts twice: side faces for their mirror images, central ones because their left half
-// is summed.
-constexpr double both_halves = 2.0;
-constexpr double square_metre = 1e6;  // mm^2
 
 bool is_energy(model::TermKind kind) {
   return kind == model::TermKind::bending || kind == model::TermKind::variation;
@@ -106,13 +102,9 @@ void EnergyResiduals::State::add_term(const model::Term& term) {
 
 void EnergyResiduals::State::add_energy(const model::Term& term) {
   const bool variation = term.kind == model::TermKind::variation;
-  for (const model::Face& face : evaluator->context().plan.faces(term.stage)) {
-    const bool chosen =
-        term.faces.empty() || std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
-          return model::name_matches(p, face.name);
-        });
-    if (!chosen) continue;
-    faces.push_back({term.weight, variation, {evaluator->options(), term.kind, face}, {}});
+  for (const model::Face* face :
+       model::choose_faces(evaluator->context().plan, term.stage, term.faces)) {
+    faces.push_back({term.weight, variation, {evaluator->options(), term.kind, *face}, {}});
   }
   if (variation) area = single_term({model::TermKind::area, 1.0, term.stage, {}});
 }
@@ -140,7 +132,7 @@ void EnergyResiduals::State::evaluate_blocks(double area_value, VectorXd& residu
   const double* points = evaluator->nets();
   Index row = 0;
   for (FaceRows& block : faces) {
-    const double factor = both_halves * block.weight * (block.times_area ? area_value : 1.0);
+    const double factor = model::both_halves * block.weight * (block.times_area ? area_value : 1.0);
     block.residuals.evaluate(points, factor, residual.segment(row, block.residuals.rows()),
                              with_jacobian ? &block.triangle : nullptr);
     row += block.residuals.rows();
@@ -201,8 +193,8 @@ void EnergyResiduals::evaluate(const VectorXd& x, VectorXd& residual, MatrixXd* 
   VectorXd area_gradient(s.evaluator->size());
   if (s.area) {
     // The area term is in m^2, the variation in 1/mm^2.
-    area = square_metre * s.area->evaluate(x, jacobian ? &area_gradient : nullptr);
-    area_gradient *= square_metre;
+    area = model::square_mm_per_square_m * s.area->evaluate(x, jacobian ? &area_gradient : nullptr);
+    area_gradient *= model::square_mm_per_square_m;
   }
   s.evaluate_blocks(area, residual, jacobian != nullptr);
   s.evaluate_roots(x, residual, jacobian);

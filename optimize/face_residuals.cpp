@@ -15,11 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-model::Range range_of(const model::Face& face) {
-  if (!face.central) return model::Range::whole;
-  return face.central_along_u ? model::Range::half_u : model::Range::half_v;
-}
-
 // Derivative orders (in u, in v) of the jets 1..9, in the order of model::jet_index.
 constexpr int order_u[9] = {1, 0, 2, 1, 0, 3, 2, 1, 0};
 constexpr int order_v[9] = {0, 1, 0, 1, 2, 0, 1, 2, 3};
@@ -87,7 +82,7 @@ FaceResiduals::FaceResiduals(const model::EvaluatorOptions& options, model::Term
       net_(3 * face.net),
       blend_(face.blend < 0 ? -1 : 3 * face.blend),
       tables_(std::make_unique<model::FaceTables>(face.degree_u, face.degree_v, options.nodes,
-                                                  range_of(face), face.blend >= 0)) {
+                                                  model::summed_range(face), face.blend >= 0)) {
   for (int k = 0; k < 3 * (face.degree_u + 1) * (face.degree_v + 1); ++k)
     coordinates_.push_back(net_ + k);
   for (int c = 0; blend_ >= 0 && c < 3; ++c) coordinates_.push_back(blend_ + c);

@@ -8,6 +8,8 @@
 
 #include "model/build.hpp"
 #include "model/check_fold.hpp"
+#include "model/name_matches.hpp"
+#include "model/selection.hpp"
 #include "optimize/fairness_problem.hpp"
 
 namespace bodyline::optimize {
@@ -160,7 +162,7 @@ Eigen::VectorXd Tuner::unfold(const Eigen::VectorXd& x, FairResult& result) cons
 model::Model Tuner::model_at(const Eigen::VectorXd& x) const {
   model::Model model = model_;
   Eigen::VectorXd parameters = context_->parameters;
-  context_->map.scatter(selected_, x, parameters);
+  model::Selection(context_->map, selected_).scatter(x, parameters);
   model::set_parameters(model, context_->plan.layout, parameters);
   return model;
 }
@@ -174,11 +176,8 @@ std::vector<std::string> Tuner::folded_faces(const Eigen::VectorXd& x) const {
     if (term.kind != model::TermKind::fold) continue;
     for (const model::Surface& face :
          model::build(model, term.stage, model::Halves::left_and_central)) {
-      const bool chosen = term.faces.empty() ||
-                          std::any_of(term.faces.begin(), term.faces.end(), [&](const auto& p) {
-                            return model::name_matches(p, face.name);
-                          });
-      if (!chosen || !model::check_fold(face).folded) continue;
+      if (!model::name_is_chosen(term.faces, face.name) || !model::check_fold(face).folded)
+        continue;
       names.push_back(face.name + (term.stage == model::Stage::base ? " (whole patch)" : ""));
     }
   }
@@ -218,7 +217,8 @@ Eigen::VectorXd Tuner::search_unfolded(Eigen::VectorXd x, FairResult& result) {
 
 FairResult Tuner::run() {
   FairResult result;
-  const Eigen::VectorXd given = context_->map.gather(selected_, context_->parameters);
+  const Eigen::VectorXd given =
+      model::Selection(context_->map, selected_).gather(context_->parameters);
   result.terms = terms_;
   result.start = measure(given);
   {

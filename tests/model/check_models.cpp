@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "io/read_model.hpp"
-#include "model/variables.hpp"
+#include "model/selection.hpp"
 
 namespace bodyline::testing {
 
@@ -24,7 +24,8 @@ model::Model perturbed_car(const std::string& name, std::mt19937& random) {
   };
   for (int k = 0; k < map.count(); ++k) {
     const model::Variable& variable = map.variables()[k];
-    Eigen::VectorXd x = map.gather({k}, parameters);
+    const model::Selection one(map, {k});
+    Eigen::VectorXd x = one.gather(parameters);
     switch (variable.kind) {
       case model::ParameterKind::curve:
         x[0] += between(-8.0, 8.0);
@@ -42,7 +43,7 @@ model::Model perturbed_car(const std::string& name, std::mt19937& random) {
         x[0] = between(0.3, 1.0);
         break;
     }
-    map.scatter({k}, x, parameters);
+    one.scatter(x, parameters);
   }
   model::set_parameters(car, map.layout(), parameters);
   return car;

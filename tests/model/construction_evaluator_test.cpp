@@ -78,6 +78,44 @@ TEST(ConstructionEvaluator, TaylorRemainderOfTheSumIsOfSecondOrder) {
   EXPECT_NEAR(remainder_slope(evaluator), 2.0, slope_tolerance);
 }
 
+TEST(ConstructionEvaluator, ANetTermJoinsTheObjectiveLikeATermOfItsOwn) {
+  const std::vector<model::Term> energy{{model::TermKind::bending, 1.0, model::Stage::kept, {}}};
+  std::vector<model::Term> both = energy;
+  both.push_back({model::TermKind::closeness, 20.0, model::Stage::body, {}});
+  model::Evaluator expected = make_evaluator(1, both), plain = make_evaluator(1, energy);
+  model::EvaluatorOptions options = plain.options();
+  options.net_terms = {{plain.closeness(), 20.0}};
+  model::Evaluator actual(plain.shared_context(), plain.selected(), options);
+  std::mt19937 random(5);
+  const Eigen::VectorXd x = actual.start() + random_direction(actual, random);
+  Eigen::VectorXd expected_gradient(x.size()), gradient(x.size());
+  EXPECT_EQ(actual.evaluate(x, &gradient), expected.evaluate(x, &expected_gradient));
+  EXPECT_EQ(gradient, expected_gradient);
+  EXPECT_EQ(actual.net_term_values().front(), expected.term_values().back());
+  EXPECT_GT(actual.net_term_values().front(), 0.0);
+}
+
+TEST(ConstructionEvaluator, BuildsAsFarAsItIsAskedTo) {
+  model::Evaluator base =
+      make_evaluator(1, {{model::TermKind::bending, 1.0, model::Stage::base, {}}});
+  model::EvaluatorOptions options = base.options();
+  options.stage = model::Stage::body;
+  model::Evaluator body(base.shared_context(), base.selected(), options);
+  body.build(body.start());
+  const model::Face& last = body.context().plan.body_faces.back();
+  EXPECT_GT(Eigen::Map<const Eigen::Vector3d>(body.nets() + 3 * last.net).norm(), 0.0);
+}
+
+TEST(ConstructionEvaluator, BuildsFromParametersWhatItBuildsFromTheirVariables) {
+  model::Evaluator one = make_evaluator(1), other = make_evaluator(1);
+  std::mt19937 random(6);
+  one.build(one.start() + random_direction(one, random));
+  other.build_parameters(one.parameters());
+  const int numbers = 3 * one.context().plan.point_count;
+  EXPECT_TRUE(std::equal(one.nets(), one.nets() + numbers, other.nets()));
+  EXPECT_THROW(other.build_parameters(Eigen::VectorXd::Zero(3)), std::invalid_argument);
+}
+
 TEST(ConstructionEvaluator, ResultsHaveTheSameBitsForAnyNumberOfThreads) {
   model::Evaluator one = make_evaluator(1);
   const Eigen::VectorXd x = one.start();

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "check_models.hpp"
-#include "model/variables.hpp"
+#include "model/selection.hpp"
 
 namespace bodyline::testing {
 namespace {
@@ -41,9 +41,10 @@ model::Model moved_car() {
   const model::VariableMap map(car, model::connect(car), bounds);
   Eigen::VectorXd parameters = model::to_parameters(car, map.layout());
   for (int k = 0; k < map.count(); ++k) {
-    Eigen::VectorXd x = map.gather({k}, parameters);
+    const model::Selection one(map, {k});
+    Eigen::VectorXd x = one.gather(parameters);
     x[0] = moved_value(map.variables()[k], x[0], random);
-    map.scatter({k}, x, parameters);
+    one.scatter(x, parameters);
   }
   model::set_parameters(car, map.layout(), parameters);
   return car;

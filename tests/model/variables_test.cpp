@@ -1,4 +1,4 @@
-#include "model/variables.hpp"
+#include "model/selection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,16 +21,18 @@ TEST_P(Variables, ScatterOfGatherChangesNoBit) {
   const std::vector<std::string> all{"*"};
   const std::vector<int> selected = map.select(all);
   Eigen::VectorXd again = parameters;
-  map.scatter(selected, map.gather(selected, parameters), again);
+  const Selection selection(map, selected);
+  selection.scatter(selection.gather(parameters), again);
   EXPECT_EQ(again, parameters);
 }
 
 TEST_P(Variables, AnyMoveOfAnyVariableIsABuildableBody) {
   const std::vector<std::string> all{"curve.*", "shape.*", "fullness.*"};
   const std::vector<int> selected = map.select(all);
-  Eigen::VectorXd x = map.gather(selected, parameters);
+  const Selection selection(map, selected);
+  Eigen::VectorXd x = selection.gather(parameters);
   for (Eigen::Index k = 0; k < x.size(); ++k) x[k] += 0.01 * std::sin(double(k));
-  map.scatter(selected, x, parameters);
+  selection.scatter(x, parameters);
   set_parameters(model, map.layout(), parameters);
   EXPECT_NO_THROW(connect(model));
 }
@@ -43,7 +45,7 @@ TEST_P(Variables, EveryCutMovesAndStaysABuildableBody) {
     const Variable& variable = map.variables()[selected[k]];
     x[Eigen::Index(k)] = 0.25 * variable.lower + 0.75 * variable.upper;
   }
-  map.scatter(selected, x, parameters);
+  Selection(map, selected).scatter(x, parameters);
   set_parameters(model, map.layout(), parameters);
   EXPECT_NO_THROW(connect(model));
 }
@@ -54,8 +56,9 @@ TEST_P(Variables, GatherPullbackIsTheAdjointOfScatter) {
   const Eigen::VectorXd direction = Eigen::VectorXd::LinSpaced(map.count(), -1.0, 2.0);
   const Eigen::VectorXd bar = Eigen::VectorXd::LinSpaced(parameters.size(), 3.0, -1.0);
   Eigen::VectorXd moved = parameters, x_bar(map.count());
-  map.scatter(selected, map.gather(selected, parameters) + direction, moved);
-  map.gather_pullback(selected, bar, x_bar);
+  const Selection selection(map, selected);
+  selection.scatter(selection.gather(parameters) + direction, moved);
+  selection.scatter_pullback(bar, x_bar);
   const double left = (moved - parameters).dot(bar), right = direction.dot(x_bar);
   EXPECT_NEAR(left, right, 1e-9 * std::abs(right));
 }

@@ -126,7 +126,11 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<model::Term>{{model::TermKind::bending, 1.0, model::Stage::body, {}}},
         std::vector<model::Term>{{model::TermKind::variation, 2.0, model::Stage::base, {"hood"}}},
         std::vector<model::Term>{{model::TermKind::bending, 0.7, model::Stage::base, {}},
-                                 {model::TermKind::area, 0.1, model::Stage::body, {}}}));
+                                 {model::TermKind::area, 0.1, model::Stage::body, {}}},
+        std::vector<model::Term>{{model::TermKind::closeness, 3.0, model::Stage::body, {}},
+                                 {model::TermKind::fold, 50.0, model::Stage::base, {"hood"}}},
+        std::vector<model::Term>{{model::TermKind::variation, 0.5, model::Stage::body, {}},
+                                 {model::TermKind::closeness, 1e3, model::Stage::body, {}}}));
 
 TEST_P(Residuals, HaveTheValueAndGradientOfTheObjective) {
   const auto context = std::make_shared<model::BodyContext>(car("template"));
@@ -136,10 +140,12 @@ TEST_P(Residuals, HaveTheValueAndGradientOfTheObjective) {
   model::Evaluator evaluator(context, context->map.select(patterns), options);
   FairnessProblem problem(evaluator, 10.0);
   problem.use_residuals();
-  const Eigen::VectorXd x = evaluator.start();
+  Eigen::VectorXd x = evaluator.start();
+  for (Eigen::Index k = 0; k < x.size(); ++k) x[k] += 1e-3 * std::sin(double(k));
   Eigen::VectorXd gradient(x.size()), residual(problem.residual_count());
   Eigen::MatrixXd jacobian(residual.size(), x.size());
   const double value = problem.value(x, &gradient);
+  ASSERT_GT(gradient.norm(), 0.0);
   problem.residuals(x, residual, &jacobian);
   EXPECT_NEAR(residual.squaredNorm(), value, 1e-12 * value);
   EXPECT_LE((2.0 * jacobian.transpose() * residual - gradient).norm(), 1e-10 * gradient.norm());
