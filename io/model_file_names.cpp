@@ -1,11 +1,8 @@
 #include "io/model_file_names.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <numeric>
-#include <vector>
+
+#include "model/suggest.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -16,22 +13,6 @@ constexpr std::size_t most_listed = 10;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Number of single-character insertions, deletions and replacements between two words.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 }  // namespace
 
@@ -63,7 +44,7 @@ std::string suggestion(std::string_view wrong, std::span<const std::string> cand
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(1, wrong.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(wrong, candidate);
+    const std::size_t distance = model::edit_distance(wrong, candidate);
     if (distance < best_distance) {
       best_distance = distance;
       best = &candidate;
@@ -79,16 +60,6 @@ std::string listed(std::span<const std::string> names) {
   }
   if (names.size() <= most_listed) return result;
   return result + " and " + std::to_string(names.size() - most_listed) + " more";
-}
-
-std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  char* const first = buffer.data();
-  char* const last = first + buffer.size();
-  constexpr double largest_plain = 1e15;
-  const bool whole = std::abs(value) <= largest_plain && std::floor(value) == value;
-  return {first, whole ? std::to_chars(first, last, value, std::chars_format::fixed).ptr
-                       : std::to_chars(first, last, value).ptr};
 }
 
 }  // namespace bodyline::io

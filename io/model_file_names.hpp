@@ -24,8 +24,4 @@ std::string suggestion(std::string_view wrong, std::span<const std::string> cand
 /// "a, b, c": the first ten, and how many more there are.
 std::string listed(std::span<const std::string> names);
 
-/// The shortest decimal that reads back as the same double, whole numbers without an exponent;
-/// "nan" and "inf" as such.
-std::string shortest(double value);
-
 }  // namespace bodyline::io

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/model_file_names.hpp"
+#include "model/number_text.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -22,7 +23,8 @@ std::string described(const toml::node& node) {
   if (const auto* text = node.as_string()) return "the text " + in_quotes(text->get());
   if (const auto* integer = node.as_integer())
     return "the number " + std::to_string(integer->get());
-  if (const auto* number = node.as_floating_point()) return "the number " + shortest(number->get());
+  if (const auto* number = node.as_floating_point())
+    return "the number " + model::number_text(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* array = node.as_array()) return "an array of " + count_of(array->size(), "value");
   if (node.is_table()) return "a table";
@@ -121,7 +123,7 @@ double FileTable::number(const toml::node& node, const std::string& path, double
                                          : node.as_floating_point()->get();
   if (!std::isfinite(value)) file_->fail(path, must_be("a finite number", node));
   if (std::abs(value * scale) > largest) {
-    const std::string limit = shortest(largest / scale);
+    const std::string limit = model::number_text(largest / scale);
     file_->fail(path, must_be("between -" + limit + " and " + limit, node));
   }
   return value;

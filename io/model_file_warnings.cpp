@@ -1,7 +1,7 @@
 #include "io/model_file_warnings.hpp"
 
-#include "io/model_file_names.hpp"
 #include "model/basis.hpp"
+#include "model/number_text.hpp"
 
 namespace bodyline::io {
 
@@ -17,8 +17,9 @@ void append_warnings(const ModelFile& file, const model::Model& model,
         const std::string key = "patches." + patch.name + ".shape." + (along_u ? "u" : "v") + "[" +
                                 std::to_string(k) + "]";
         warnings.push_back({file.name(), file.line_of(key), key,
-                            "is " + shortest(shape[k]) + "; the basis is positive only for " +
-                                shortest(lower) + " to " + shortest(upper) + "."});
+                            "is " + model::number_text(shape[k]) +
+                                "; the basis is positive only for " + model::number_text(lower) +
+                                " to " + model::number_text(upper) + "."});
       }
     }
   }

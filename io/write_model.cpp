@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "io/model_file_names.hpp"
+#include "model/number_text.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -32,7 +33,7 @@ std::string number_text(double value) {
   if (!std::isfinite(value)) {
     throw std::invalid_argument("The model holds a number that is not finite.");
   }
-  std::string text = shortest(value);
+  std::string text = model::number_text(value);
   // Digits alone are an integer in TOML: of 64 bits, and without a negative zero.
   const bool integer = text.find_first_not_of("-0123456789") == std::string::npos;
   constexpr std::size_t longest_integer = 18;

@@ -32,9 +32,10 @@ struct PatchStep {
 struct SideStep {
   int patch = -1;
   SideWalk walk;
-  int cut_at = 0;         ///< parameter of the cut on this side
-  bool at_upper = false;  ///< the cut is an upper one: width = 1 - value
-  int cut_lo = 0;         ///< parameters of the cut across: kept length = hi - lo; cut_lo + 1 is hi
+  int cut_at = 0;         ///< parameter that says where the strip along this side is cut off
+  bool at_upper = false;  ///< it is the upper end of the kept range: the strip is 1 - value wide
+  int cut_lo = 0;  ///< parameter of the lower end of the kept range across this side, of which
+                   ///< cut_at is one end; the upper end is the next parameter
 };
 
 struct SeamStep {

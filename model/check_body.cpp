@@ -29,19 +29,19 @@ void append_faces(const std::vector<Surface>& faces, Stage stage, const BodyChec
   }
 }
 
+// `faces` are those of the check's stage, the last that it lists.
 BodyTotals body_totals(const Model& model, const std::vector<Surface>& faces,
                        const BodyCheck& check) {
+  std::vector<FaceIntegrals> integrals;
+  for (auto face = check.faces.end() - faces.size(); face != check.faces.end(); ++face)
+    integrals.push_back(face->integrals);
+  const FaceIntegrals sum = body_integrals(faces, integrals, Halves::left_and_central);
   BodyTotals totals;
-  double variation = 0.0;
-  for (const FaceCheck& face : check.faces) {
-    if (face.stage != check.stage) continue;
-    const double times = face.mirrored ? 2.0 : 1.0;
-    totals.area_mm2 += times * face.integrals.area_mm2;
-    totals.bending += times * face.integrals.bending;
-    variation += times * face.integrals.variation_per_mm2;
-    totals.faces += face.mirrored ? 2 : 1;
-  }
-  totals.variation_times_area = variation * totals.area_mm2;
+  totals.area_mm2 = sum.area_mm2;
+  totals.bending = sum.bending;
+  totals.variation_times_area = sum.variation_per_mm2 * sum.area_mm2;
+  for (const Surface& face : faces)
+    totals.faces += int(times_counted(face, Halves::left_and_central));
   if (check.stage != Stage::kept)
     totals.volume_mm3 = enclosed_volume(faces, Halves::left_and_central);
   totals.box = bounding_box(faces, Halves::left_and_central);
@@ -56,16 +56,18 @@ BodyCheck check_body(const Model& model, const BodyCheckOptions& options) {
   BodyCheck check;
   check.model = model.name;
   check.stage = options.stage;
-  std::vector<Surface> faces = build(model, Stage::base, Halves::left_and_central);
-  append_edges(model, plan, Stage::base, faces, options.edge_samples, check.edges);
-  append_faces(faces, Stage::base, options, check.faces);
-  if (options.stage != Stage::base) {
-    faces = build(model, options.stage, Halves::left_and_central);
-    append_edges(model, plan, options.stage, faces, options.edge_samples, check.edges);
-    append_faces(faces, options.stage, options, check.faces);
+  const std::vector<Surface> base = build(model, Stage::base, Halves::left_and_central);
+  append_edges(model, plan, Stage::base, base, options.edge_samples, check.edges);
+  append_faces(base, Stage::base, options, check.faces);
+  if (options.stage == Stage::base) {
+    check.totals = body_totals(model, base, check);
+    return check;
   }
+  const std::vector<Surface> faces = build(model, options.stage, Halves::left_and_central);
+  append_edges(model, plan, options.stage, faces, options.edge_samples, check.edges);
+  append_faces(faces, options.stage, options, check.faces);
   check.totals = body_totals(model, faces, check);
-  check.warnings = body_warnings(model, plan, options.stage);
+  if (options.stage == Stage::body) check.warnings = body_warnings(model, plan, base, faces);
   return check;
 }
 

@@ -1,32 +1,39 @@
 #include "model/check_warnings.hpp"
 
-#include "model/construction.hpp"
+#include <Eigen/Geometry>
+#include <cmath>
 
 namespace bodyline::model {
 namespace {
 
-// The part of the free edge's way across that the plain construction would go, at one end of an
-// uncut side: below least_uncut_reach it is lifted.
-double plain_reach(const JointStep& step, const BodyPlan& plan, const Eigen::VectorXd& parameters,
-                   const std::vector<Vec3<double>>& nets, int end) {
+using Eigen::Vector3d;
+
+constexpr double followed = 1e-6;  // radians: what is more is no rounding
+
+// The angle between the transition and the free edge beyond, seen in the tangent plane of the uncut
+// side at one end of its joint.
+double angle_to_free_edge(const BodyPlan& plan, int joint, int end,
+                          const std::vector<Surface>& base, const std::vector<Surface>& body) {
+  const JointStep& step = plan.joints[joint];
   const SideStep& side = step.side[step.uncut];
-  const SideStep& other = step.side[1 - step.uncut];
-  const PatchStep& patch = plan.patches[side.patch];
-  const Vec3<double>* kept = &nets[patch.kept_net];
-  const int at = side.walk.start + (end == 0 ? 0 : step.degree * side.walk.step);
-  const int next = at + (end == 0 ? side.walk.step : -side.walk.step);
-  const double width = parameters[side.cut_lo + 1] - parameters[side.cut_lo];
-  const double value = parameters[other.cut_at];
-  const double neighbour = other.at_upper ? 1.0 - value : value;
-  const Vec3<double> across =
-      scaled(side.walk.across / width, kept[at] - kept[at + side.walk.inward]);
-  const Vec3<double>* base = &nets[plan.patches[other.patch].base_net];
-  const Vec3<double> free_edge = scaled(
-      other.walk.across * neighbour, base[step.free_edge[end][1]] - base[step.free_edge[end][0]]);
-  return plane_solve(across, kept[next] - kept[at], free_edge).p / neighbour;
+  const std::vector<Vector3d>& kept = body[side.patch].net;
+  const std::vector<Vector3d>& whole = base[step.side[1 - step.uncut].patch].net;
+  const Surface& transition = body[plan.patches.size() + joint];
+  const int corner = side.walk.start + (end == 0 ? 0 : step.degree * side.walk.step);
+  const int along = corner + (end == 0 ? side.walk.step : -side.walk.step);
+  const Vector3d normal =
+      (kept[along] - kept[corner]).cross(kept[corner + side.walk.inward] - kept[corner]);
+  const int row = end == 0 ? 0 : step.net_degree;
+  const Vector3d handle = step.uncut == 0
+                              ? Vector3d(transition.point(row, 1) - transition.point(row, 0))
+                              : Vector3d(transition.point(row, 2) - transition.point(row, 3));
+  const Vector3d free_edge = whole[step.free_edge[end][1]] - whole[step.free_edge[end][0]];
+  // Turned by a right angle in the plane, both keep the angle between them.
+  const Vector3d a = normal.cross(handle), b = normal.cross(free_edge);
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-std::string lifted_sentence(const Model& model, int joint, int end) {
+std::string not_followed_sentence(const Model& model, int joint, int end) {
   const Joint& at = model.joints[joint];
   const PatchSide &uncut = *at.uncut == 0 ? at.a : at.b, &other = *at.uncut == 0 ? at.b : at.a;
   return at.name + ": at end " + std::to_string(end) + " the free edge of " +
@@ -37,23 +44,21 @@ std::string lifted_sentence(const Model& model, int joint, int end) {
 
 }  // namespace
 
-std::vector<std::string> body_warnings(const Model& model, const BodyPlan& plan, Stage stage) {
+std::vector<std::string> body_warnings(const Model& model, const BodyPlan& plan,
+                                       const std::vector<Surface>& base,
+                                       const std::vector<Surface>& body) {
   std::vector<std::string> warnings;
-  if (stage != Stage::body) return warnings;
-  Construction<double> construction(plan);
-  const Eigen::VectorXd parameters = to_parameters(model, plan.layout);
-  construction.build(parameters.data(), Stage::kept);
   for (std::size_t c = 0; c < plan.corners.size(); ++c) {
     if (!plan.corners[c].shape.seam) continue;
     warnings.push_back(model.corners[c].name +
                        ": the corner patch is not polynomial; it has a Gregory term where the "
                        "seam ends.");
   }
-  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+  for (int j = 0; j < int(plan.joints.size()); ++j) {
     if (plan.joints[j].uncut < 0) continue;
     for (int end = 0; end < 2; ++end) {
-      const double reach = plain_reach(plan.joints[j], plan, parameters, construction.nets, end);
-      if (!(reach >= least_uncut_reach)) warnings.push_back(lifted_sentence(model, int(j), end));
+      const double angle = angle_to_free_edge(plan, j, end, base, body);
+      if (!(angle <= followed)) warnings.push_back(not_followed_sentence(model, j, end));
     }
   }
   return warnings;

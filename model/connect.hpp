@@ -95,6 +95,10 @@ int side_degree(const Model& model, const Patch& patch, Side side);
 /// end's corner.
 bool lean_allowed(const Model& model, const Connectivity& links, int joint, int side, int end);
 
+/// Whether a strip of a patch is cut away at a side: it is a side of a joint, other than its uncut
+/// one, or the mirror image of such a side.
+bool side_is_cut(const Model& model, const Connectivity& links, int patch, Side side);
+
 /// The range of fullness that a model may hold, exclusive at both ends.
 inline constexpr double min_fullness = 0.0, max_fullness = 3.0;
 /// The largest lean, in either direction.

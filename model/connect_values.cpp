@@ -5,17 +5,12 @@
 #include <limits>
 #include <set>
 
-#include "model/cut.hpp"
+#include "model/elevation.hpp"
+#include "model/number_text.hpp"
 #include "model/side_geometry.hpp"
 
 namespace bodyline::model {
 namespace {
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
 
 void check_finite(double value, const std::string& key) {
   if (!std::isfinite(value))
@@ -62,7 +57,7 @@ void check_cut_order(const std::array<double, 2>& cut, const std::string& key) {
   }
 }
 
-double cut_at(const Patch& patch, Side side) {
+double cut_value(const Patch& patch, Side side) {
   switch (side) {
     case Side::u0:
       return patch.cut_u[0];
@@ -76,23 +71,16 @@ double cut_at(const Patch& patch, Side side) {
   return 0.0;
 }
 
-bool is_uncut(const Model& model, const SideLink& link) {
-  return link.role == SideRole::joint && model.joints[link.index].uncut == link.which;
-}
-
 // A cut belongs to a joint: free sides, seams and uncut sides keep the whole patch, the others lose
 // a strip.
 void check_cut_places(const Model& model, const Connectivity& links) {
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
     for (Side side : all_sides) {
-      const SideLink& link = links.patches[p].sides[static_cast<int>(side)];
       const bool low = side == Side::u0 || side == Side::v0;
-      const bool whole = cut_at(patch, side) == (low ? 0.0 : 1.0);
-      const bool cut_here =
-          link.role == SideRole::mirrored
-              ? links.patches[p].sides[static_cast<int>(Side::v0)].role == SideRole::joint
-              : link.role == SideRole::joint && !is_uncut(model, link);
+      const double cut = cut_value(patch, side);
+      const bool whole = cut == (low ? 0.0 : 1.0);
+      const bool cut_here = side_is_cut(model, links, int(p), side);
       const std::string key = "patches." + patch.name + ".cut." + (along_v(side) ? "u" : "v");
       const std::string end = low ? "lower" : "upper";
       if (cut_here && whole) {
@@ -101,9 +89,9 @@ void check_cut_places(const Model& model, const Connectivity& links) {
                                   " is a joint and needs a strip cut away for its transition");
       }
       if (!cut_here && !whole) {
-        throw ModelError(key, "its " + end + " value is " + number_text(cut_at(patch, side)) +
-                                  ", but side " + side_name(side) +
-                                  " is not a cut joint; it must be " + (low ? "0" : "1"));
+        throw ModelError(key, "its " + end + " value is " + number_text(cut) + ", but side " +
+                                  side_name(side) + " is not a cut joint; it must be " +
+                                  (low ? "0" : "1"));
       }
     }
   }
@@ -219,6 +207,12 @@ void check_indices(const Model& model) {
 
 }  // namespace
 
+bool side_is_cut(const Model& model, const Connectivity& links, int patch, Side side) {
+  const auto link = [&](Side at) { return links.patches[patch].sides[static_cast<int>(at)]; };
+  const SideLink own = link(side).role == SideRole::mirrored ? link(Side::v0) : link(side);
+  return own.role == SideRole::joint && model.joints[own.index].uncut != own.which;
+}
+
 bool lean_allowed(const Model& model, const Connectivity& links, int joint, int side, int end) {
   const int corner = links.joints[joint].corner[end];
   if (corner < 0 || !links.corners[corner].seam) return false;
@@ -240,12 +234,12 @@ void check_numbers(const Model& model) {
   if (model.patches.empty()) throw ModelError("patches", "is empty; a body has at least one patch");
   for (const Curve& curve : model.curves) check_curve(curve);
   for (const Patch& patch : model.patches) {
-    for (const SideCurve& use : patch.sides) {
-      if (use.curve < 0 || use.curve >= int(model.curves.size())) {
-        throw ModelError("patches." + patch.name, "has a side that names no curve of this model");
-      }
-    }
     const std::string key = "patches." + patch.name;
+    for (Side side : all_sides) {
+      const int curve = patch.sides[static_cast<int>(side)].curve;
+      if (curve < 0 || curve >= int(model.curves.size()))
+        throw ModelError(key + "." + side_name(side), "names no curve of this model");
+    }
     const int degree_u = side_degree(model, patch, Side::v0),
               degree_v = side_degree(model, patch, Side::u0);
     // Opposite sides of different degree are refused later, and with the better sentence.
@@ -260,15 +254,7 @@ void check_numbers(const Model& model) {
 }
 
 void check_values(const Model& model, const Connectivity& links) {
-  for (std::size_t k = 0; k < model.joints.size(); ++k) {
-    const Joint& joint = model.joints[k];
-    const int a = side_degree(model, model.patches[joint.a.patch], joint.a.side);
-    const int b = side_degree(model, model.patches[joint.b.patch], joint.b.side);
-    if (a != b) {
-      throw ModelError("joints." + joint.name, "has degree " + std::to_string(a) +
-                                                   " on one side and " + std::to_string(b) +
-                                                   " on the other");
-    }
+  for (const Joint& joint : model.joints) {
     if (joint.uncut && *joint.uncut != 0 && *joint.uncut != 1) {
       throw ModelError("joints." + joint.name + ".uncut",
                        "must name one of the joint's two patches");

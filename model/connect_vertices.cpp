@@ -1,21 +1,14 @@
 #include "model/connect_vertices.hpp"
 
-#include <numeric>
-
-#include "model/cut.hpp"
+#include "model/number_text.hpp"
 #include "model/side_geometry.hpp"
+#include "model/tie_classes.hpp"
 
 namespace bodyline::model {
 namespace {
 
 std::string point_text(const Eigen::Vector3d& p) {
-  const auto number = [](double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-  };
-  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+  return "(" + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + ")";
 }
 
 std::string side_key(const Patch& patch, Side side) {
@@ -25,11 +18,7 @@ std::string side_key(const Patch& patch, Side side) {
 void check_sides(const Model& model) {
   for (const Patch& patch : model.patches) {
     for (Side side : all_sides) {
-      const SideCurve& use = patch.sides[static_cast<int>(side)];
-      if (use.curve < 0 || use.curve >= int(model.curves.size())) {
-        throw ModelError(side_key(patch, side), "names no curve of this model");
-      }
-      if (use.mirrored != (patch.central && side == Side::v1)) {
+      if (patch.sides[static_cast<int>(side)].mirrored != (patch.central && side == Side::v1)) {
         throw ModelError(side_key(patch, side),
                          "only side v1 of a central patch is a mirror image (of its v0)");
       }
@@ -52,7 +41,8 @@ void set_degrees(const Model& model, Connectivity& links) {
       if (a != b) {
         throw ModelError(side_key(patch, second),
                          "has " + std::to_string(b + 1) + " points where the opposite side " +
-                             side_name(first) + " has " + std::to_string(a + 1));
+                             side_name(first) + " has " + std::to_string(a + 1) +
+                             "; the degrees must be the same");
       }
       return a;
     };
@@ -61,25 +51,7 @@ void set_degrees(const Model& model, Connectivity& links) {
   }
 }
 
-// Union-find over curve ends: end e of curve c is node 2c + e.
-class EndClasses {
- public:
-  explicit EndClasses(std::size_t curves) : parent_(2 * curves) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int node) const {
-    while (parent_[node] != node) node = parent_[node];
-    return node;
-  }
-  void unite(int a, int b) {
-    const int ra = find(a), rb = find(b);
-    parent_[std::max(ra, rb)] = std::min(ra, rb);
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
+// End e of curve c is node 2c + e.
 int end_node(const SideCurve& use, int end) {
   return 2 * use.curve + (use.reversed ? 1 - end : end);
 }
@@ -103,7 +75,7 @@ constexpr std::array<Meeting, 4> meetings{{{Side::u0, 0, Side::v0, 0, false},
                                            {Side::u0, 1, Side::v1, 0, true},
                                            {Side::u1, 1, Side::v1, 1, true}}};
 
-void close_corners(const Model& model, EndClasses& classes) {
+void close_corners(const Model& model, TieClasses& vertices) {
   for (const Patch& patch : model.patches) {
     for (const Meeting& meeting : meetings) {
       if (patch.central && meeting.right) continue;
@@ -117,7 +89,7 @@ void close_corners(const Model& model, EndClasses& classes) {
                              point_text(pb) + " where side " + side_name(meeting.first) + " has " +
                              point_text(pa) + "; both must be the same point");
       }
-      classes.unite(a, b);
+      vertices.tie(a, b, 1.0);
     }
   }
 }
@@ -150,12 +122,12 @@ void connect_vertices(const Model& model, Connectivity& links) {
   check_sides(model);
   set_degrees(model, links);
   check_symmetry(model);
-  EndClasses classes(model.curves.size());
-  close_corners(model, classes);
+  TieClasses vertices(2 * int(model.curves.size()));
+  close_corners(model, vertices);
   std::vector<int> number(2 * model.curves.size(), -1);
   links.curve_vertices.resize(model.curves.size());
   for (int node = 0; node < int(number.size()); ++node) {
-    const int root = classes.find(node);
+    const int root = vertices.place(node).root;
     if (number[root] < 0) number[root] = links.vertex_count++;
     links.curve_vertices[node / 2][node % 2] = number[root];
   }

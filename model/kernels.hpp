@@ -27,6 +27,27 @@ struct FoldOptions {
   double cosine = 0.25;
 };
 
+/// Points and the parameters of their nearest points on one face, coordinate by coordinate. All
+/// arrays have room for `count` rounded up to a multiple of 8, with parameters in [0, 1] there too.
+struct FootPointArrays {
+  int count = 0;
+  const double *x = nullptr, *y = nullptr, *z = nullptr;  ///< the points
+  double *u = nullptr, *v = nullptr;                      ///< where to start; where it ended
+  double* foot[3] = {};                                   ///< the nearest points found
+  double* normal[3] = {};  ///< unit normals there, along Su x Sv; 0 where there is none
+};
+
+/// A point on a face and where it should be: adds (S(u,v) - target)' W (S(u,v) - target) to a sum
+/// of squares.
+struct MomentPoint {
+  double u = 0.0, v = 0.0;
+  double weight[6] = {};           ///< W: xx, xy, xz, yy, yz, zz
+  double weighted_target[3] = {};  ///< W target
+};
+
+/// Numbers between rows of second moments: 6 (2 degree_v + 1), rounded up to a multiple of 8.
+constexpr int moment_stride(int degree_v) { return (6 * (2 * degree_v + 1) + 7) / 8 * 8; }
+
 /// Value kernels: `net` has (degree_u+1)(degree_v+1)*3 doubles, xyz fastest, then v; `blend` 3
 /// doubles, read only where rule.blend is set. Pullback kernels return the same value and add seed
 /// * d value / d net to `net_bar` (and to `blend_bar`). None allocates; all are safe to call from
@@ -55,6 +76,15 @@ struct Kernels {
   /// is positive where the face bends towards Su x Sv.
   void (*curvature)(const FaceRule&, const double* net, const double* blend, double* mean,
                     double* gauss) = nullptr;
+  /// `steps` steps of Newton's method towards the nearest points of a polynomial face, degrees up
+  /// to 12, from the given parameters.
+  void (*foot_points)(int degree_u, int degree_v, const double* net, int steps,
+                      const FootPointArrays&) = nullptr;
+  /// Adds up sum B_a(u) B_b(v) W over the points, B of the doubled degrees, into second[a *
+  /// stride + 6 b + entry], where stride = moment_stride(degree_v), and sum B_i(u) B_j(v) W target
+  /// into first[3 (i (degree_v + 1) + j) + c].
+  void (*add_moments)(int degree_u, int degree_v, const MomentPoint* points, int count, int stride,
+                      double* second, double* first) = nullptr;
 };
 
 /// Instruction sets a binary may carry.

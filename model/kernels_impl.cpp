@@ -5,7 +5,9 @@
 #include "model/kernel_area.hpp"
 #include "model/kernel_bending.hpp"
 #include "model/kernel_fold.hpp"
+#include "model/kernel_foot_point.hpp"
 #include "model/kernel_integral.hpp"
+#include "model/kernel_moments.hpp"
 #include "model/kernel_samples.hpp"
 #include "model/kernel_tables.hpp"
 #include "model/kernel_variation.hpp"
@@ -28,6 +30,8 @@ const Kernels& table() {
       .fold_pullback = fold_pullback,
       .jets = jets,
       .curvature = curvature,
+      .foot_points = foot_points,
+      .add_moments = add_moments,
   };
   return kernels;
 }

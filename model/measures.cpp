@@ -47,11 +47,12 @@ double times_counted(const Surface& surface, Halves halves) {
   return halves == Halves::both || surface.central ? 1.0 : 2.0;
 }
 
-FaceIntegrals body_integrals(const std::vector<Surface>& faces, Halves halves) {
+FaceIntegrals body_integrals(const std::vector<Surface>& faces,
+                             const std::vector<FaceIntegrals>& of_each, Halves halves) {
   FaceIntegrals total;
-  for (const Surface& face : faces) {
-    const FaceIntegrals one = face_integrals(face);
-    const double times = times_counted(face, halves);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const FaceIntegrals& one = of_each[k];
+    const double times = times_counted(faces[k], halves);
     total.area_mm2 += times * one.area_mm2;
     total.bending += times * one.bending;
     total.variation_per_mm2 += times * one.variation_per_mm2;

@@ -30,8 +30,10 @@ Eigen::Vector3d vector_area(const Surface& surface);
 /// How often a face of a list counts in the whole body: twice when the list leaves out its image.
 double times_counted(const Surface& surface, Halves halves);
 
-/// Integrals over the whole body. `faces` are those that `build` returns for `halves`.
-FaceIntegrals body_integrals(const std::vector<Surface>& faces, Halves halves);
+/// Integrals over the whole body from those over each of its faces. `faces` are those that `build`
+/// returns for `halves`.
+FaceIntegrals body_integrals(const std::vector<Surface>& faces,
+                             const std::vector<FaceIntegrals>& of_each, Halves halves);
 
 /// Volume between the body and the ground z = 0, mm^3: the integral of z n_z over the faces, n the
 /// outward normal. Exact for a closed body, at any height. An opening in the ground or in an

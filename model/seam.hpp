@@ -135,7 +135,7 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
   cross_pullback(t, trace.b0, numerator_bar * trace.normal, t_bar, b0_bar);
   cross_pullback(t, trace.a0, denominator_bar * trace.normal, t_bar, a0_bar);
   // a0 = A - (A . normal) normal, likewise b0
-  const Vec3<Real>&handle_a = before.across_a[0], handle_b = before.across_b[0];
+  const Vec3<Real>&handle_a = before.across_a[0], &handle_b = before.across_b[0];
   const Real a_out = dot(a0_bar, trace.normal), b_out = dot(b0_bar, trace.normal);
   normal_bar -= dot(handle_a, trace.normal) * a0_bar + a_out * handle_a;
   normal_bar -= dot(handle_b, trace.normal) * b0_bar + b_out * handle_b;

@@ -8,8 +8,8 @@ TieClasses::TieClasses(int count) : parent_(count), factor_(count, 1.0), fixed_(
   std::iota(parent_.begin(), parent_.end(), 0);
 }
 
-TieClasses::Place TieClasses::place(int parameter) const {
-  Place result{parameter, 1.0, false};
+TieClasses::Place TieClasses::place(int member) const {
+  Place result{member, 1.0, false};
   while (parent_[result.root] != result.root) {
     result.factor *= factor_[result.root];
     result.root = parent_[result.root];
@@ -33,6 +33,6 @@ void TieClasses::tie(int a, int b, double factor) {
   if (fixed_[high]) fixed_[low] = 1;
 }
 
-void TieClasses::fix(int parameter) { fixed_[place(parameter).root] = 1; }
+void TieClasses::fix(int member) { fixed_[place(member).root] = 1; }
 
 }  // namespace bodyline::model

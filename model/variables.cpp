@@ -55,12 +55,7 @@ void tie_patches(const Model& model, const Connectivity& links, const ParameterL
         ties.tie(layout.shape_v(p, k), layout.shape_v(p, count - 1 - k), 1.0);
     }
     for (Side side : all_sides) {
-      const SideLink& link = links.patches[p].sides[static_cast<int>(side)];
-      const bool is_cut =
-          link.role == SideRole::mirrored
-              ? links.patches[p].sides[static_cast<int>(Side::v0)].role == SideRole::joint
-              : link.role == SideRole::joint && model.joints[link.index].uncut != link.which;
-      if (!is_cut) ties.fix(layout.cut(p) + static_cast<int>(side));
+      if (!side_is_cut(model, links, p, side)) ties.fix(layout.cut(p) + static_cast<int>(side));
     }
   }
   for (int s = 0; s < int(model.seams.size()); ++s) {

@@ -189,7 +189,8 @@ bool is_worse(const FairResult& result, const std::vector<std::string>& folded_a
   if (result.folded_faces.size() != folded_at_start.size()) {
     return result.folded_faces.size() > folded_at_start.size();
   }
-  return std::isfinite(result.start.value) && !(result.end.value <= result.start.value);
+  if (!std::isfinite(result.start.value)) return !std::isfinite(result.end.value);
+  return !(result.end.value <= result.start.value);
 }
 
 // Searches with ever stronger barriers until nothing folds; otherwise keeps the round with the

@@ -55,6 +55,23 @@ TEST_P(EveryAlgorithmSurvives, MinimumBehindTheEdgeOfValues) {
   EXPECT_TRUE(result.x.allFinite());
 }
 
+// Near its solution a problem has little to gain and, here, no value a step away.
+TEST_P(EveryAlgorithmSurvives, ANearOptimumWithoutValuesAroundIt) {
+  constexpr double reach = 1e-3;
+  const VectorXd target = (VectorXd(2) << 0.3, -0.4).finished();
+  TestProblem problem(2, 2, [&](const VectorXd& x, VectorXd& r, Eigen::MatrixXd* jacobian) {
+    r = 3 * (x - target);
+    if (jacobian != nullptr) *jacobian = 3 * Eigen::MatrixXd::Identity(2, 2);
+    if ((x - target).norm() > reach) r.setConstant(std::nan(""));
+  });
+  problem.within(-10, 10);
+  const VectorXd start = target + VectorXd::Constant(2, 0.5 * reach);
+  const Result result = minimize(problem, start, options_for(GetParam()));
+  EXPECT_LE(result.value, result.start_value);
+  EXPECT_LE((result.x - target).norm(), reach);
+  EXPECT_NE(result.status, Status::failed);
+}
+
 TEST_P(EveryAlgorithmSurvives, AStartWithoutValueFails) {
   TestProblem problem = with_hole(std::nan(""), VectorXd::Zero(2));
   problem.within(-10, 10);

@@ -1,0 +1,130 @@
+#include "optimize/rim_pulls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimize/scan_tree.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int samples = 24;            // of a rim
+constexpr double normal_length = 150;  // mm that a difference of 1 between normals counts
+
+// A rim and the net behind it.
+struct Rim {
+  int face = -1;
+  model::Side side = model::Side::u0;
+};
+
+struct RimPoint {
+  Match match;
+  Vector3d outward;  // in the surface, away from the face, unit
+};
+
+RimPoint rim_point(const model::Kernels& kernels, const model::Face& face, const double* net,
+                   double u, double v, model::Side side) {
+  // A step away from the rim gives the direction; a patch is smooth on that scale.
+  constexpr double step = 1e-4;
+  double numbers[11][8] = {};
+  const bool across_u = model::along_v(side);
+  const double sign = side == model::Side::u0 || side == model::Side::v0 ? 1.0 : -1.0;
+  for (int k = 0; k < 8; ++k) {
+    numbers[3][k] = u + (k == 1 && across_u ? sign * step : 0.0);
+    numbers[4][k] = v + (k == 1 && !across_u ? sign * step : 0.0);
+  }
+  model::FootPointArrays a;
+  a.count = 2;
+  a.x = numbers[0], a.y = numbers[1], a.z = numbers[2], a.u = numbers[3], a.v = numbers[4];
+  for (int c = 0; c < 3; ++c) a.foot[c] = numbers[5 + c], a.normal[c] = numbers[8 + c];
+  kernels.foot_points(face.degree_u, face.degree_v, net, 0, a);
+  RimPoint point;
+  point.match.u = u;
+  point.match.v = v;
+  Vector3d inside;
+  for (int c = 0; c < 3; ++c) {
+    point.match.foot[c] = numbers[5 + c][0];
+    inside[c] = numbers[5 + c][1];
+    point.match.normal[c] = (face.inward ? -1.0 : 1.0) * numbers[8 + c][0];
+  }
+  point.outward = (point.match.foot - inside).normalized();
+  return point;
+}
+
+}  // namespace
+
+std::vector<std::array<bool, 4>> rims_of(const model::BodyPlan& plan, model::Stage stage) {
+  std::vector<std::array<bool, 4>> rims(plan.faces(stage).size(), {false, false, false, false});
+  for (std::size_t p = 0; p < plan.links.patches.size(); ++p) {
+    for (const model::Side side : model::all_sides) {
+      rims[p][int(side)] = plan.links.patches[p].sides[int(side)].role == model::SideRole::free;
+    }
+  }
+  return rims;
+}
+
+struct RimPuller::State {
+  const model::BodyPlan* plan;
+  model::Stage stage;
+  const model::Scan* scan;
+  std::vector<Rim> rims;
+  SearchTree tree;
+};
+
+namespace {
+
+std::vector<SearchTree::Key> scan_keys(const model::Scan& scan) {
+  std::vector<SearchTree::Key> keys;
+  for (std::size_t k = 0; k < scan.points.size(); ++k) {
+    keys.push_back(SearchTree::key(
+        scan.points[k], scan.normals.empty() ? Vector3d(Vector3d::Zero()) : scan.normals[k],
+        normal_length));
+  }
+  return keys;
+}
+
+}  // namespace
+
+RimPuller::RimPuller(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan)
+    : state_(new State{&plan, stage, &scan, {}, SearchTree(scan_keys(scan))}) {
+  const auto rims = rims_of(plan, stage);
+  for (int f = 0; f < int(rims.size()); ++f) {
+    for (const model::Side side : model::all_sides) {
+      if (rims[f][int(side)]) state_->rims.push_back({f, side});
+    }
+  }
+}
+RimPuller::~RimPuller() = default;
+
+void RimPuller::append(const double* nets, double reach, double weight, std::vector<Match>& matches,
+                       std::vector<MatchPull>& pulls) const {
+  const State& s = *state_;
+  const model::Kernels& kernels = model::kernels(model::best_isa());
+  const double each = weight / double(s.rims.size() * samples);
+  for (const Rim& rim : s.rims) {
+    const model::Face& face = s.plan->faces(s.stage)[rim.face];
+    for (int k = 0; k < samples; ++k) {
+      const double t = (k + 0.5) / samples;
+      const double end = rim.side == model::Side::u1 || rim.side == model::Side::v1 ? 1.0 : 0.0;
+      const bool along_v = model::along_v(rim.side);
+      RimPoint point = rim_point(kernels, face, nets + 3 * face.net, along_v ? end : t,
+                                 along_v ? t : end, rim.side);
+      point.match.face = rim.face;
+      std::size_t nearest[1];
+      const Vector3d normal =
+          s.scan->normals.empty() ? Vector3d(Vector3d::Zero()) : point.match.normal;
+      s.tree.nearest(SearchTree::key(point.match.foot, normal, normal_length), nearest);
+      const Vector3d target = s.scan->points[nearest[0]];
+      const double beyond = -(target - point.match.foot).dot(point.outward);
+      const double q = beyond / reach, root = 1.0 / (1.0 + q * q);
+      const double pull = beyond > 0.0 ? each * root * root : 0.0;
+      point.match.distance = beyond;
+      matches.push_back(point.match);
+      pulls.push_back({target, pull * point.outward * point.outward.transpose()});
+    }
+  }
+}
+
+}  // namespace bodyline::optimize
