@@ -13,6 +13,8 @@
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
 #include "cli/scan_target.hpp"
+#include "cli/template_text.hpp"
+#include "io/read_model.hpp"
 #include "io/write_model.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
@@ -67,7 +69,9 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
 void run(Context& context, const Request& request) {
   const auto begin = std::chrono::steady_clock::now();
   check_output(request.output, request.target.path, {".toml"});
-  const model::Model start = load_model(context, request.start);
+  const model::Model start = request.start.empty()
+                                 ? io::read_model_text(template_text(), "the template")
+                                 : load_model(context, request.start);
   const PlacedScan placed = place_scan(context, request.target, start);
   optimize::FitResult result = fit(context, placed, start, request.options);
   result.model.name = std::filesystem::path(request.output.path).stem().string();
@@ -100,11 +104,10 @@ void add_fit_command(CLI::App& program, Context& context) {
   const auto request = std::make_shared<Request>();
   CLI::App* const command =
       add_command(program, "fit", "Fit the body to a scan of a car",
-                  "bodyline fit scan.ply --start cars/template.toml -o car.toml");
+                  "bodyline fit scan.ply -o car.toml");
   add_scan_target(*command, request->target);
-  command->add_option("--start", request->start, "Model to start from")
+  command->add_option("--start", request->start, "Model to start from; the template when left out")
       ->type_name("MODEL")
-      ->required()
       ->check(CLI::ExistingFile);
   add_output(*command, request->output, "Fitted model, .toml");
   add_weights(*command, request->options);

@@ -7,9 +7,11 @@
 
 #include "cli/check_command.hpp"
 #include "cli/convert_command.hpp"
+#include "cli/deviation_command.hpp"
 #include "cli/evaluate_command.hpp"
 #include "cli/export_command.hpp"
 #include "cli/fair_command.hpp"
+#include "cli/fit_command.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
@@ -24,6 +26,8 @@ namespace {
 void add_commands(CLI::App& program, Context& context) {
   add_check_command(program, context);
   add_fair_command(program, context);
+  add_fit_command(program, context);
+  add_deviation_command(program, context);
   add_variables_command(program, context);
   add_set_command(program, context);
   add_evaluate_command(program, context);

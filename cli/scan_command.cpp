@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/deviation_text.hpp"
 #include "cli/load_model.hpp"
 #include "cli/output.hpp"
 #include "cli/pose_option.hpp"
@@ -31,17 +32,6 @@ model::Pose chosen_pose(const Request& request) {
   if (request.pose.empty()) return {};
   if (request.pose == "random") return optimize::random_pose(request.options.seed);
   return pose_from_text(request.pose);
-}
-
-Json pose_json(const model::Pose& pose) {
-  Json rotation = Json::array();
-  for (int row = 0; row < 3; ++row) {
-    rotation.push_back({pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2)});
-  }
-  const Eigen::Vector3d& move = pose.translation;
-  return {{"rotation", rotation},
-          {"translation_mm", {move.x(), move.y(), move.z()}},
-          {"scale", pose.scale}};
 }
 
 void print_result(Context& context, const Request& request, std::size_t points) {

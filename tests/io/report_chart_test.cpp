@@ -61,11 +61,33 @@ TEST(LineChart, OnePointAndNoUsablePointAreCharts) {
   EXPECT_THAT(svg_line_chart({"x", "y", {{0, HUGE_VAL}}, 200}), Not(HasSubstr("<circle")));
 }
 
-TEST(ChangeBars, DISABLED_NamesAreEscapedAndEveryRowHasItsNumbers) {
-  const std::string svg = svg_change_bars({{"<hood>", 1234.5, 0.25}}, "bending");
-  EXPECT_THAT(svg, HasSubstr("&lt;hood&gt;"));
-  EXPECT_THAT(svg, HasSubstr("1234.5"));
-  EXPECT_THAT(svg, HasSubstr("0.25"));
+TEST(ChangeBars, NamesAreEscaped) {
+  const std::string svg = svg_change_bars({{"<hood>", 1.0, 2.0}}, "\"bending\"");
+  EXPECT_THAT(svg, HasSubstr(">&lt;hood&gt;<"));
+  EXPECT_THAT(svg, HasSubstr("aria-label=\"&quot;bending&quot;\""));
+  EXPECT_THAT(svg, Not(HasSubstr("<hood>")));
+}
+
+TEST(ChangeBars, EveryRowShowsThreeDigitsAndFourWhenPointedAt) {
+  const std::string svg = svg_change_bars({{"a", 1234.56, 0.25061}, {"b", 0.0, HUGE_VAL}}, "t");
+  EXPECT_THAT(svg, HasSubstr("<title>a: 1235 before, 0.2506 after</title>"));
+  EXPECT_THAT(svg, HasSubstr(">1235 → 0.251</text>"));
+  EXPECT_THAT(svg, HasSubstr("<title>b: 0 before, – after</title>"));
+  EXPECT_THAT(svg, HasSubstr(">0 → –</text>"));
+}
+
+TEST(ChangeBars, OnlyPositiveFiniteValuesHaveMarks) {
+  const auto marks = [](double before, double after) {
+    const std::string svg = svg_change_bars({{"a", before, after}, {"b", 1.0, 2.0}}, "t");
+    int count = -2;  // those of the second row
+    for (std::size_t at = svg.find("<circle"); at != svg.npos; at = svg.find("<circle", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(marks(3.0, 4.0), 2);
+  EXPECT_EQ(marks(0.0, 4.0), 1);
+  EXPECT_EQ(marks(3.0, HUGE_VAL), 1);
+  EXPECT_EQ(marks(-1.0, std::nan("")), 0);
 }
 
 TEST(HtmlNumber, IsShortAndExactWhereItCanBe) {
