@@ -102,9 +102,8 @@ void add_weights(CLI::App& command, optimize::FitOptions& options) {
 
 void add_fit_command(CLI::App& program, Context& context) {
   const auto request = std::make_shared<Request>();
-  CLI::App* const command =
-      add_command(program, "fit", "Fit the body to a scan of a car",
-                  "bodyline fit scan.ply -o car.toml");
+  CLI::App* const command = add_command(program, "fit", "Fit the body to a scan of a car",
+                                        "bodyline fit scan.ply -o car.toml");
   add_scan_target(*command, request->target);
   command->add_option("--start", request->start, "Model to start from; the template when left out")
       ->type_name("MODEL")
