@@ -7,7 +7,7 @@
 
 #include "io/read_model.hpp"
 #include "model/build.hpp"
-#include "model/check_fold.hpp"
+#include "model/evaluator.hpp"
 #include "model/selection.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
