@@ -29,7 +29,8 @@ void run(Context& context, const Request& request) {
   const optimize::Deviation deviation =
       optimize::measure_deviation(model, placed.scan, placed.pose, options);
   if (request.json) {
-    print_json(context, {{"pose", pose_json(placed.pose)},
+    print_json(context, {{"scan", placed.words},
+                         {"pose", pose_json(placed.pose)},
                          {"distance_mm", distances_json(deviation.distances)},
                          {"unseen_patches", deviation.unseen_patches},
                          {"faces", faces_json(deviation)}});

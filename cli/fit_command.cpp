@@ -47,6 +47,7 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
                   double seconds) {
   if (request.json) {
     print_json(context, {{"status", optimize::status_words(result.status)},
+                         {"scan", placed.words},
                          {"pose", pose_json(placed.pose)},
                          {"distance_mm", distances_json(deviation.distances)},
                          {"unseen_patches", deviation.unseen_patches},
@@ -75,12 +76,12 @@ void run(Context& context, const Request& request) {
   const PlacedScan placed = place_scan(context, request.target, start);
   optimize::FitResult result = fit(context, placed, start, request.options);
   result.model.name = std::filesystem::path(request.output.path).stem().string();
+  io::write_model(result.model, request.output.path,
+                  request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   optimize::DeviationOptions measuring;
   measuring.most_points = request.target.most_points;
   const optimize::Deviation deviation =
       optimize::measure_deviation(result.model, placed.scan, placed.pose, measuring);
-  io::write_model(result.model, request.output.path,
-                  request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   print_result(context, request, placed, result, deviation, seconds);

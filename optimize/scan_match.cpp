@@ -128,6 +128,7 @@ std::vector<Try> choose_tries(const FaceSamples& samples, const model::Scan& sca
         own[taken++] = {int(p), face, samples.parameters[index[k]][0],
                         samples.parameters[index[k]][1]};
       }
+      if (taken == 0) own[taken++] = {int(p), 0, 0.5, 0.5};  // a point that is not finite
       while (taken < per_point) own[taken] = own[0], ++taken;
     }
   });
@@ -183,6 +184,7 @@ std::vector<Match> ScanMatcher::match(const double* nets) const {
   std::vector<Match> best(scan_->points.size());
   tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t p) {
     double least = std::numeric_limits<double>::infinity();
+    best[p] = results[p * options_.candidates];
     for (int k = 0; k < options_.candidates; ++k) {
       const Match& one = results[p * options_.candidates + k];
       double measure = (scan_->points[p] - one.foot).norm();

@@ -53,6 +53,7 @@ class ScanTerm : public model::NetTerm {
   const model::Kernels* kernels_;
   std::vector<FaceSquares> faces_;  // those with points
   Eigen::Index rows_ = 0, columns_ = 0;
+  Eigen::VectorXd product_;  // H x of the face in hand
   bool factorized_ = false;
 };
 
