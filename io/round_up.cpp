@@ -1,6 +1,7 @@
 #include "io/round_up.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace bodyline::io {
 
