@@ -6,7 +6,7 @@
 namespace bodyline::io {
 namespace {
 
-constexpr PictureSize picture_size{1200, 675};
+constexpr PictureSize picture_size{960, 540};  // eleven pictures: 4 MB
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "io/fit_report_sections.hpp"
@@ -13,8 +14,10 @@ namespace {
 constexpr std::size_t shown_rows = 10;
 
 std::string cell(double value) {
-  return fmt::format("<td class=\"number\" title=\"{}\">{}</td>", exact_number(value),
-                     html_number(value, 3));
+  if (!std::isfinite(value)) return html_number_cell(value);
+  std::string text = fmt::format("{:.2f}", value);
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return fmt::format("<td class=\"number\" title=\"{}\">{}</td>", exact_number(value), text);
 }
 
 std::string row(const ReportFace& face) {

@@ -16,14 +16,18 @@ std::string image(const std::vector<model::Surface>& faces, const RenderOptions&
       options.width, options.height, text, base64(png_bytes(render(faces, options))));
 }
 
+std::string caption(const ReportFigure& figure) {
+  return figure.caption.empty() ? "" : "<figcaption>" + figure.caption + "</figcaption>\n";
+}
+
 }  // namespace
 
 std::string report_figure(const ReportFigure& figure, const std::vector<model::Surface>& faces,
                           const RenderOptions& options) {
   return fmt::format(
       "<figure class=\"compare\" data-label=\"{0}\">\n<h3>{0}</h3>\n<div "
-      "class=\"side\">{1}</div>\n<figcaption>{2}</figcaption>\n</figure>\n",
-      figure.label, image(faces, options, figure.label), figure.caption);
+      "class=\"side\">{1}</div>\n{2}</figure>\n",
+      figure.label, image(faces, options, figure.label), caption(figure));
 }
 
 std::string report_comparison(const ReportFigure& figure, const std::vector<model::Surface>& before,
@@ -34,9 +38,9 @@ std::string report_comparison(const ReportFigure& figure, const std::vector<mode
       "class=\"side "
       "before\">{1}<span>before</span></div>\n<div class=\"side "
       "after\">{2}<span>after</span></div>\n"
-      "</div>\n<figcaption>{3}</figcaption>\n</figure>\n",
+      "</div>\n{3}</figure>\n",
       figure.label, image(before, options, figure.label + ", before"),
-      image(after, options, figure.label + ", after"), figure.caption);
+      image(after, options, figure.label + ", after"), caption(figure));
 }
 
 RenderOptions report_picture_options(const char* view, Map map, const PictureSize& size) {

@@ -67,7 +67,7 @@ TEST_F(Deviation, AFieldOfACompleteScanHasNoHolesAndOneOfHalfAScanHas) {
   }
   const io::SurfaceField rear = field(0.0, 2000.0);
   EXPECT_EQ(unknown(rear, "hood"), 1.0);
-  EXPECT_EQ(unknown(rear, "trunk"), 0.0);
+  EXPECT_EQ(unknown(rear, "trunk_lid"), 0.0);
 }
 
 TEST_F(Deviation, WritesTheMapAndThePage) {
