@@ -42,9 +42,11 @@ int step_of(double distance, double range) {
   return std::abs(t) <= 0.25 ? 2 : t < 0.0 ? (t < -0.5 ? 0 : 1) : (t > 0.5 ? 4 : 3);
 }
 
+// Of the left half, unless the plane lies along the car.
 std::string body_path(const std::vector<Segment>& segments, int axis, Eigen::AlignedBox2d& box) {
   std::string path;
   for (const Segment& segment : segments) {
+    if (axis != 1 && segment[0].y() + segment[1].y() > 0.0) continue;
     const Eigen::Vector2d a = in_picture(segment[0], axis), b = in_picture(segment[1], axis);
     box.extend(a);
     box.extend(b);
@@ -83,9 +85,9 @@ std::string point_paths(const std::vector<MeasuredPoint>& points, const SectionP
 std::string svg_section(const std::vector<model::Surface>& faces, const SectionPlane& plane,
                         const std::vector<MeasuredPoint>& points, double range) {
   const std::vector<Segment> segments = body_section(faces, plane);
-  if (segments.empty()) return "";
   Eigen::AlignedBox2d box;
   const std::string body = body_path(segments, plane.axis, box);
+  if (body.empty()) return "";
   box.min().array() -= margin;
   box.max().array() += margin;
   const Eigen::Vector2d size = box.sizes();

@@ -14,10 +14,10 @@ struct MeasuredPoint {
   double distance = 0.0;
 };
 
-/// A section of a body with points of a scan near the plane, as an inline SVG to scale: the body a
-/// line, the points dots whose colour tells their distance (deep beyond half the range, grey within
-/// a quarter). At most some thousand points are drawn, taken evenly. Empty when the plane misses
-/// the body.
+/// A section of the left half of a body with points of a scan near the plane, as an inline SVG to
+/// scale: the body a line, the points dots whose colour tells their distance (deep beyond half the
+/// range, grey within a quarter). At most some thousand points are drawn, taken evenly. Empty when
+/// the plane misses the body.
 std::string svg_section(const std::vector<model::Surface>& faces, const SectionPlane& plane,
                         const std::vector<MeasuredPoint>& points, double range);
 

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "io/svg_section.hpp"
 #include "render_support.hpp"
@@ -60,9 +63,24 @@ TEST(SectionPlane, RefusesOtherText) {
   }
 }
 
+TEST(SvgSection, AcrossTheCarShowsTheLeftHalfAndAlongItEverything) {
+  const auto view_box = [](const io::SectionPlane& plane) {
+    const std::string svg = io::svg_section(test::sphere(radius), plane, {}, 1.0);
+    const std::size_t at = svg.find("viewBox=\"") + 9;
+    std::istringstream stream(svg.substr(at, svg.find('"', at) - at));
+    std::array<double, 4> box{};
+    for (double& number : box) stream >> number;
+    return box;
+  };
+  constexpr double margin = 130.0;  // mm around the drawing, both sides and a little more
+  EXPECT_NEAR(view_box({0, 0.0})[2], radius, margin);
+  EXPECT_LT(view_box({0, 0.0})[0], -radius + section_error);
+  EXPECT_NEAR(view_box({1, 0.0})[2], 2.0 * radius, margin);
+}
+
 TEST(SvgSection, DrawsPointsNearThePlaneInTheColourOfTheirSide) {
   const auto faces = test::sphere(radius);
-  const Eigen::Vector3d near(1.0, radius + 3.0, radius), far(50.0, radius, radius);
+  const Eigen::Vector3d near(1.0, -radius - 3.0, radius), far(50.0, -radius, radius);
   const io::SectionPlane plane{0, 0.0};
   const auto dots = [&](const Eigen::Vector3d& point, double distance) {
     return io::svg_section(faces, plane, {{point, distance}}, 4.0);
