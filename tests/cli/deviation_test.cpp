@@ -45,12 +45,16 @@ TEST_F(Deviation, AFieldOfAShellAroundTheBodyIsItsThickness) {
   constexpr double tight_rounds = 0.05;  // mm: points over an edge are nearer to its other side
   const io::SurfaceField outside = field(thickness), inside = field(-thickness);
   EXPECT_DOUBLE_EQ(outside.range, 2.0);
-  for (const io::FaceField& face : outside.faces) {
-    EXPECT_NEAR(face.sample(0.4, 0.3), thickness, tight_rounds) << face.name;
+  int faces = 0;
+  for (const model::Surface& face : model::build(model_, model::Stage::body)) {
+    if (face.blend) continue;  // the matcher leaves Gregory terms out (scan_match.hpp)
+    ASSERT_NE(outside.face(face.name), nullptr) << face.name;
+    ASSERT_NE(inside.face(face.name), nullptr) << face.name;
+    EXPECT_NEAR(outside.face(face.name)->sample(0.4, 0.3), thickness, tight_rounds) << face.name;
+    EXPECT_NEAR(inside.face(face.name)->sample(0.4, 0.3), -thickness, tight_rounds) << face.name;
+    ++faces;
   }
-  for (const io::FaceField& face : inside.faces) {
-    EXPECT_NEAR(face.sample(0.4, 0.3), -thickness, tight_rounds) << face.name;
-  }
+  EXPECT_GT(faces, 60);
 }
 
 TEST_F(Deviation, AFieldOfACompleteScanHasNoHolesAndOneOfHalfAScanHas) {
