@@ -28,6 +28,8 @@ constexpr double fine_spacing = 60.0;
 constexpr double least_partners = 0.35;
 constexpr double side_ratio = 0.35;  // of the covered samples on the two sides
 
+constexpr double worth_a_word = 0.92;  // doubt
+
 const std::vector<double> refining_scales{100, 80, 80, 60, 60, 60};
 const std::vector<double> shifting_scales{500, 500, 400, 400, 300, 300, 200, 200};
 const std::vector<double> given_scales{200, 150, 100, 100, 80, 80, 60, 60};
@@ -179,6 +181,8 @@ std::string described(const AlignResult& result) {
     std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
     words += text;
   }
+  if (result.doubt > worth_a_word)
+    words += " Another orientation fits nearly as well: look at the result, or give the pose.";
   return words;
 }
 

@@ -237,7 +237,8 @@ FairResult Tuner::run() {
     x = given;
     result.end = result.start;
     result.folded_faces = folded_at_start;
-    if (result.status != Status::interrupted) result.status = Status::no_progress;
+    if (result.status != Status::interrupted && result.status != Status::failed)
+      result.status = Status::no_progress;
   }
   for (int v : selected_) result.variables.push_back(context_->map.variables()[v].name);
   result.start_values = given;

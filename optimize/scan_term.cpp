@@ -93,7 +93,7 @@ void ScanTerm::set(const std::vector<Match>& matches, const std::vector<MatchPul
   double total = 0.0;
   for (int k = 0; k < int(matches.size()); ++k) {
     const double trace = pulls[k].weight.trace();
-    if (!(trace > 0.0)) continue;
+    if (!(trace > 0.0) || faces[matches[k].face].blend >= 0) continue;
     total += trace;
     of_face[matches[k].face].push_back(k);
   }
