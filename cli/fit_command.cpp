@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "cli/deviation_text.hpp"
+#include "cli/fit_report.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
 #include "cli/output.hpp"
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
+#include "cli/report_options.hpp"
 #include "cli/scan_target.hpp"
 #include "cli/template_text.hpp"
 #include "io/read_model.hpp"
@@ -27,6 +29,7 @@ struct Request {
   ScanTarget target;
   Output output;
   optimize::FitOptions options;
+  ReportRequest report;
   bool json = false;
 };
 
@@ -64,12 +67,14 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
   }
   for (const std::string& face : result.folded_faces) text += "still folded: " + face + "\n";
   text += fmt::format("{:.1f} s\nfitted model: {}\n", seconds, request.output.path);
+  if (request.report.wanted()) text += "report: " + request.report.output.path + "\n";
   *context.out << text;
 }
 
-void run(Context& context, const Request& request) {
+void run(Context& context, Request& request) {
   const auto begin = std::chrono::steady_clock::now();
   check_output(request.output, request.target.path, {".toml"});
+  check_report(request.report, request.output.overwrite, request.target.path);
   const model::Model start = request.start.empty()
                                  ? io::read_model_text(template_text(), "the template")
                                  : load_model(context, request.start);
@@ -84,6 +89,12 @@ void run(Context& context, const Request& request) {
       optimize::measure_deviation(result.model, placed.scan, placed.pose, measuring);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (request.report.wanted()) {
+    io::FitReport report =
+        deviation_report(result.model, measuring.stage, placed, deviation, request.report);
+    add_fit(report, start, result);
+    write_report(context, report, request.report);
+  }
   print_result(context, request, placed, result, deviation, seconds);
   if (!result.folded_faces.empty()) context.exit_code = exit_findings;
 }
@@ -110,6 +121,7 @@ void add_fit_command(CLI::App& program, Context& context) {
       ->type_name("MODEL")
       ->check(CLI::ExistingFile);
   add_output(*command, request->output, "Fitted model, .toml");
+  add_report_options(*command, request->report);
   add_weights(*command, request->options);
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
