@@ -93,7 +93,7 @@ void add_scan_command(CLI::App& program, Context& context) {
   const auto request = std::make_shared<Request>();
   CLI::App* const command =
       add_command(program, "scan", "Simulate a scanner: points on a model",
-                  "bodyline scan cars/model1.toml -o scan.ply --points 20000 --noise 1 "
+                  "bodyline scan cars/model1.toml -o points.ply --points 20000 --noise 1 "
                   "--outliers 0.1 --pose random");
   add_model(*command, request->model);
   add_output(*command, request->output, "Points to write (.ply)");
