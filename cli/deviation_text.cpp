@@ -51,14 +51,14 @@ std::string deviation_table(const optimize::Deviation& deviation) {
     if (face.points > 0) order.push_back(&face);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
-    return a->distances.p90 > b->distances.p90;
+    return a->distances.median > b->distances.median;
   });
   for (const optimize::FaceDeviation* face : order) {
     row(face->name, face->points, fmt::format("{:.0f} %", 100.0 * face->seen),
         fmt::format("{:+.2f}", face->mean), face->distances);
   }
   row("all", deviation.matches.size(), "", "", deviation.distances);
-  return text + "Distances in mm; the mean is positive where the scan lies outside of the body.\n";
+  return text + "Distances in mm, outliers too; the mean is positive where the scan lies outside of the body.\n";
 }
 
 }  // namespace bodyline::cli

@@ -9,6 +9,7 @@
 #include "cli/fair_report.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
+#include "cli/number_check.hpp"
 #include "cli/objective_option.hpp"
 #include "cli/output.hpp"
 #include "cli/print_json.hpp"
@@ -112,14 +113,14 @@ void run(Context& context, Request& request) {
 void add_search_options(CLI::App& command, optimize::Options& search) {
   command.add_option("--evaluations", search.max_evaluations, "Most evaluations of a run")
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command.add_option("--seconds", search.max_seconds, "Stop after so long; 0: no limit")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative_number())
       ->capture_default_str();
   command.add_option("--restarts", search.restarts, "Further runs from sampled starts")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative_number())
       ->capture_default_str();
   command.add_option("--seed", search.seed, "Of restarts and of the global algorithms")
       ->capture_default_str();
@@ -151,19 +152,19 @@ void add_fair_command(CLI::App& program, Context& context) {
       ->add_option("--within", request->within,
                    "How far a coordinate of a curve point may move, mm (10 when curves are varied)")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command
       ->add_option("--max-cut", request->options.bounds.max_cut,
                    "Widest strip cut from a patch, as a part of it; below 0.5")
-      ->check(CLI::Range(0.001, 0.499))
+      ->check(number_between(0.001, 0.499))
       ->capture_default_str();
   command->add_option("--min-cut", request->options.bounds.min_cut, "Narrowest strip")
-      ->check(CLI::Range(0.0001, 0.499))
+      ->check(number_between(0.0001, 0.499))
       ->capture_default_str();
   command
       ->add_option("--fold-weight", request->options.fold_weight,
                    "Weight of the barrier against folds; 0 leaves it out")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative_number())
       ->capture_default_str();
   command
       ->add_option("--nodes", request->options.nodes,

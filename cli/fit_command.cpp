@@ -10,6 +10,7 @@
 #include "cli/fit_report.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
+#include "cli/number_check.hpp"
 #include "cli/output.hpp"
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
@@ -103,10 +104,10 @@ void add_weights(CLI::App& command, optimize::FitOptions& options) {
   command
       .add_option("--fairness", options.bending,
                   "Weight of the bending energy against the mean squared distance in mm^2")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative_number())
       ->capture_default_str();
   command.add_option("--max-cut", options.bounds.max_cut, "Widest strip that joints may take")
-      ->check(CLI::Range(0.01, 0.45))
+      ->check(number_between(0.01, 0.45))
       ->capture_default_str();
 }
 

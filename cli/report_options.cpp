@@ -1,5 +1,7 @@
 #include "cli/report_options.hpp"
 
+#include "cli/number_check.hpp"
+
 namespace bodyline::cli {
 
 void add_report_options(CLI::App& command, ReportRequest& request) {
@@ -18,7 +20,7 @@ void add_report_options(CLI::App& command, ReportRequest& request) {
       .add_option("--range", request.range,
                   "Distance at which colours end, mm; found from the scan when left out")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
 }
 
 void check_report(ReportRequest& request, bool overwrite, const std::string& input) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/number_check.hpp"
 #include "cli/pose_option.hpp"
 #include "cli/progress.hpp"
 #include "optimize/orient_normals.hpp"
@@ -24,7 +25,7 @@ void add_scan_target(CLI::App& command, ScanTarget& target) {
   CLI::Option* const pose = command.get_option("--pose");
   command.add_option("--unit", target.unit_mm, "mm per unit of the scan; guessed when left out")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->excludes(pose);
   command
       .add_option("--points", target.most_points,
