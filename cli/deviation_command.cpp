@@ -5,11 +5,18 @@
 #include <memory>
 
 #include "cli/deviation_text.hpp"
+#include "cli/fit_report.hpp"
 #include "cli/load_model.hpp"
+#include "cli/output.hpp"
+#include "cli/picture_options.hpp"
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
+#include "cli/report_options.hpp"
 #include "cli/scan_target.hpp"
 #include "cli/stage_option.hpp"
+#include "io/picture.hpp"
+#include "io/render.hpp"
+#include "model/build.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -17,10 +24,26 @@ namespace {
 struct Request {
   std::string model, stage = "body";
   ScanTarget target;
+  Output output;  // no picture when its path is empty
+  PictureRequest picture;
+  ReportRequest report;
   bool json = false;
 };
 
-void run(Context& context, const Request& request) {
+void write_map(Context& context, const Request& request, const io::FitReport& report) {
+  io::RenderOptions options = picture_options(request.picture);
+  options.map = io::Map::field;
+  options.field = &report.field;
+  Progress progress(context, "rendering " + request.output.path);
+  options.on_progress = [&progress](double fraction) { progress.update(fraction); };
+  io::write_png(io::render(model::build(report.body, report.stage), options), request.output.path,
+                request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
+}
+
+void run(Context& context, Request& request) {
+  check_report(request.report, request.output.overwrite, request.model);
+  if (!request.output.path.empty()) check_output(request.output, request.model, {".png"});
+  picture_options(request.picture);  // a bad view is told before any work is done
   const model::Model model = load_model(context, request.model);
   const PlacedScan placed = place_scan(context, request.target, model);
   optimize::DeviationOptions options;
@@ -28,8 +51,12 @@ void run(Context& context, const Request& request) {
   options.most_points = request.target.most_points;
   const optimize::Deviation deviation =
       optimize::measure_deviation(model, placed.scan, placed.pose, options);
+  io::FitReport report = deviation_report(model, options.stage, placed, deviation, request.report);
+  if (!request.output.path.empty()) write_map(context, request, report);
+  if (request.report.wanted()) write_report(context, report, request.report);
   if (request.json) {
-    print_json(context, {{"pose", pose_json(placed.pose)},
+    print_json(context, {{"scan", placed.words},
+                         {"pose", pose_json(placed.pose)},
                          {"distance_mm", distances_json(deviation.distances)},
                          {"unseen_patches", deviation.unseen_patches},
                          {"faces", faces_json(deviation)}});
@@ -38,6 +65,8 @@ void run(Context& context, const Request& request) {
   *context.out << placed.words << "\n\n" << deviation_table(deviation);
   if (!deviation.unseen_patches.empty())
     *context.out << fmt::format("Hardly seen: {}\n", fmt::join(deviation.unseen_patches, ", "));
+  if (!request.output.path.empty()) *context.out << "map: " << request.output.path << "\n";
+  if (request.report.wanted()) *context.out << "report: " << request.report.output.path << "\n";
 }
 
 }  // namespace
@@ -50,6 +79,10 @@ void add_deviation_command(CLI::App& program, Context& context) {
   add_model(*command, request->model);
   add_scan_target(*command, request->target);
   add_stage(*command, request->stage);
+  add_output(*command, request->output, "Picture of the distances, .png; none when left out")
+      ->required(false);
+  add_picture_options(*command, request->picture);
+  add_report_options(*command, request->report);
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
 }

@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "cli/deviation_text.hpp"
+#include "cli/fit_report.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
 #include "cli/output.hpp"
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
+#include "cli/report_options.hpp"
 #include "cli/scan_target.hpp"
 #include "cli/template_text.hpp"
 #include "io/read_model.hpp"
@@ -27,6 +29,7 @@ struct Request {
   ScanTarget target;
   Output output;
   optimize::FitOptions options;
+  ReportRequest report;
   bool json = false;
 };
 
@@ -47,6 +50,7 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
                   double seconds) {
   if (request.json) {
     print_json(context, {{"status", optimize::status_words(result.status)},
+                         {"scan", placed.words},
                          {"pose", pose_json(placed.pose)},
                          {"distance_mm", distances_json(deviation.distances)},
                          {"unseen_patches", deviation.unseen_patches},
@@ -63,26 +67,34 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
   }
   for (const std::string& face : result.folded_faces) text += "still folded: " + face + "\n";
   text += fmt::format("{:.1f} s\nfitted model: {}\n", seconds, request.output.path);
+  if (request.report.wanted()) text += "report: " + request.report.output.path + "\n";
   *context.out << text;
 }
 
-void run(Context& context, const Request& request) {
+void run(Context& context, Request& request) {
   const auto begin = std::chrono::steady_clock::now();
   check_output(request.output, request.target.path, {".toml"});
+  check_report(request.report, request.output.overwrite, request.target.path);
   const model::Model start = request.start.empty()
                                  ? io::read_model_text(template_text(), "the template")
                                  : load_model(context, request.start);
   const PlacedScan placed = place_scan(context, request.target, start);
   optimize::FitResult result = fit(context, placed, start, request.options);
   result.model.name = std::filesystem::path(request.output.path).stem().string();
+  io::write_model(result.model, request.output.path,
+                  request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   optimize::DeviationOptions measuring;
   measuring.most_points = request.target.most_points;
   const optimize::Deviation deviation =
       optimize::measure_deviation(result.model, placed.scan, placed.pose, measuring);
-  io::write_model(result.model, request.output.path,
-                  request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (request.report.wanted()) {
+    io::FitReport report =
+        deviation_report(result.model, measuring.stage, placed, deviation, request.report);
+    add_fit(report, start, result);
+    write_report(context, report, request.report);
+  }
   print_result(context, request, placed, result, deviation, seconds);
   if (!result.folded_faces.empty()) context.exit_code = exit_findings;
 }
@@ -109,6 +121,7 @@ void add_fit_command(CLI::App& program, Context& context) {
       ->type_name("MODEL")
       ->check(CLI::ExistingFile);
   add_output(*command, request->output, "Fitted model, .toml");
+  add_report_options(*command, request->report);
   add_weights(*command, request->options);
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });

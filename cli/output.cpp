@@ -21,9 +21,11 @@ void check_extension(const fs::path& path, const std::vector<std::string>& exten
 
 }  // namespace
 
-void add_output(CLI::App& command, Output& output, const std::string& text) {
-  command.add_option("-o,--output", output.path, text)->required()->type_name("FILE");
+CLI::Option* add_output(CLI::App& command, Output& output, const std::string& text) {
+  CLI::Option* const option =
+      command.add_option("-o,--output", output.path, text)->required()->type_name("FILE");
   command.add_flag("--overwrite", output.overwrite, "Replace the output when it exists");
+  return option;
 }
 
 void check_output(const Output& output, const fs::path& input,

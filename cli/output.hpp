@@ -14,8 +14,9 @@ struct Output {
   bool overwrite = false;
 };
 
-/// Adds -o/--output, required, and --overwrite.
-void add_output(CLI::App& command, Output& output, const std::string& text);
+/// Adds -o/--output, required unless the caller says otherwise of the option returned, and
+/// --overwrite.
+CLI::Option* add_output(CLI::App& command, Output& output, const std::string& text);
 
 /// Looks before any work is done whether an output can be written: its folder exists, and nothing
 /// stands in its place unless it may be overwritten; with `extensions` its name must end in one of

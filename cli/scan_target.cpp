@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/pose_option.hpp"
 #include "cli/progress.hpp"
 #include "optimize/orient_normals.hpp"
@@ -19,10 +21,14 @@ void add_scan_target(CLI::App& command, ScanTarget& target) {
           "Pose of the scan: rx,ry,rz,tx,ty,tz,scale in degrees and mm, or none; found when "
           "left out")
       ->type_name("POSE");
+  CLI::Option* const pose = command.get_option("--pose");
   command.add_option("--unit", target.unit_mm, "mm per unit of the scan; guessed when left out")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--points", target.most_points, "Most points of the scan that are used")
+      ->check(CLI::PositiveNumber)
+      ->excludes(pose);
+  command
+      .add_option("--points", target.most_points,
+                  "Most points of the scan that are measured; the search uses up to 60000")
       ->type_name("N")
       ->check(CLI::Range(std::size_t(1000), std::size_t(10'000'000)))
       ->capture_default_str();
@@ -32,7 +38,10 @@ PlacedScan place_scan(Context& context, const ScanTarget& target, const model::M
   io::ScanFile file;
   {
     const Progress progress(context, "reading " + target.path);
-    file = io::read_scan(target.path);
+    io::ReadScanOptions reading;
+    reading.most_points = std::max(reading.most_points, target.most_points);
+    reading.mesh_points = target.most_points;
+    file = io::read_scan(target.path, reading);
   }
   PlacedScan placed;
   placed.words = fmt::format("{}: {}, {} {}", target.path, file.format, file.points_in_file,

@@ -173,7 +173,7 @@ PictureSize size_from_text(const std::string& text) {
 
 Picture render(const std::vector<model::Surface>& faces, const RenderOptions& options) {
   check(faces, options);
-  const MapColors colors(faces, options.map, options.curvature_range);
+  const MapColors colors(faces, options.map, options.curvature_range, options.field);
   const std::vector<FaceGrid> grids = tessellate(faces, cells_per_face(faces.size()));
   const RayScene scene(grids);
   const Occlusion occlusion(scene, faces, grids);

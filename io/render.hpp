@@ -29,7 +29,8 @@ struct RenderOptions {
   /// Curvature at which the colours of a curvature map end on both sides, 1/m (mean) or 1/m^2
   /// (Gauss); absent: curvature_range() of the faces.
   std::optional<double> curvature_range;
-  std::string title;  ///< top left; none when empty
+  const SurfaceField* field = nullptr;  ///< what Map::field shows; must outlive the drawing
+  std::string title;                    ///< top left; none when empty
   std::function<void(double)>
       on_progress;  ///< fraction done, called by one thread at a time; may be empty
 };

@@ -21,6 +21,8 @@ constexpr double margin = 2.2;   // around the text, in text heights
 constexpr double row = 1.65;     // of a list, in text heights
 constexpr double column = 11.3;  // of a list
 constexpr double bar_width = 26.0, bar_height = 0.95;
+constexpr double histogram_height = 3.4, histogram_gap = 0.25;
+constexpr int histogram_bins = 41;  // odd: one stands for zero
 
 // A Cairo canvas over a picture.
 class Canvas {
@@ -121,13 +123,16 @@ std::string caption(const MapColors& colors) {
       return "angle between normal and vertical, degrees";
     case Map::zebra:
       return "reflected stripes, one pair per 15\u00b0 of elevation";
+    case Map::field:
+      return colors.field()->caption;
     default:
       return "";
   }
 }
 
 bool has_bar(Map map) {
-  return map == Map::mean_curvature || map == Map::gauss || map == Map::isophotes;
+  return map == Map::mean_curvature || map == Map::gauss || map == Map::isophotes ||
+         map == Map::field;
 }
 
 // How the list of entries is laid out.
@@ -157,6 +162,20 @@ void draw_list(Canvas& canvas, const Picture& picture,
     canvas.fill(x, y, unit, unit);
     canvas.color(ink());
     canvas.text(x + 1.4 * unit, y + 0.82 * unit, 0.86 * unit, 0.0, entries[k].name);
+  }
+}
+
+// Upright bars over the scale, each in its colour.
+void draw_histogram(Canvas& canvas, const SurfaceField& field, double left, double bottom, double w,
+                    double unit) {
+  const std::vector<std::size_t> counts = histogram(field.values, field.range, histogram_bins);
+  const double most =
+      double(std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end())));
+  const double step = w / histogram_bins;
+  for (int k = 0; k < histogram_bins; ++k) {
+    const double h = histogram_height * unit * double(counts[k]) / most;
+    canvas.color(0.82f * diverging_color(2.0 * (k + 0.5) / histogram_bins - 1.0));
+    canvas.fill(left + k * step, bottom - h, 0.86 * step, h);
   }
 }
 
@@ -190,7 +209,13 @@ void draw_bar(Canvas& canvas, const Picture& picture, const MapColors& colors) {
     canvas.text(x, top + h + 1.45 * unit, 0.9 * unit, 0.5,
                 number_text(low + (high - low) * k / ticks));
   }
-  canvas.text(0.5 * picture.width, top - 0.55 * unit, unit, 0.5, caption(colors));
+  double above = 0.55 * unit;
+  if (colors.field() != nullptr) {
+    draw_histogram(canvas, *colors.field(), left, top - histogram_gap * unit, w, unit);
+    above += (histogram_gap + histogram_height) * unit;
+    canvas.color(ink());
+  }
+  canvas.text(0.5 * picture.width, top - above, unit, 0.5, caption(colors));
 }
 
 }  // namespace
@@ -200,6 +225,7 @@ Frame body_frame(int width, int height, const MapColors& colors, bool with_title
   const double list = list_layout(width, height, colors.entries().size()).rows;
   double bottom = 0.0;
   if (has_bar(colors.map())) bottom = 5.2 * unit;
+  if (colors.map() == Map::field) bottom += (histogram_height + histogram_gap) * unit;
   if (colors.map() == Map::zebra) bottom = 2.4 * unit;
   if (list > 0) bottom = (0.6 * margin + row * list) * unit;
   const double side = 0.045 * width, edge = std::max(0.045 * height, margin * unit);

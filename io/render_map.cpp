@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/round_up.hpp"
 #include "model/factors.hpp"
 
 namespace bodyline::io {
@@ -33,14 +34,6 @@ double map_value(Map map, const model::SurfaceJet& jet, bool inward) {
   const model::Curvature curvature = model::curvature(jet, inward);
   return map == Map::gauss ? model::square_mm_per_square_m * curvature.gauss
                            : model::mm_per_m * curvature.mean;
-}
-
-double rounded_up(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (value <= step * power * (1.0 + 1e-9)) return step * power;
-  }
-  return 10.0 * power;
 }
 
 std::string without_mirror_suffix(const std::string& name) {
@@ -144,10 +137,18 @@ double curvature_range(const std::vector<model::Surface>& faces, Map map) {
   return 1.0;
 }
 
-MapColors::MapColors(const std::vector<model::Surface>& faces, Map map, std::optional<double> range)
-    : map_(map) {
+MapColors::MapColors(const std::vector<model::Surface>& faces, Map map, std::optional<double> range,
+                     const SurfaceField* field)
+    : map_(map), field_(field) {
+  if (map == Map::field) {
+    if (field == nullptr) throw std::invalid_argument("there is no field to draw");
+    for (const model::Surface& face : faces) face_fields_.push_back(field->face(face.name));
+    range_ = field->range;
+  }
   if (map == Map::mean_curvature || map == Map::gauss) {
     range_ = range ? *range : curvature_range(faces, map);
+  }
+  if (map == Map::mean_curvature || map == Map::gauss || map == Map::field) {
     for (int k = 0; k <= scale_steps; ++k) {
       scale_.push_back(diverging_color(2.0 * k / scale_steps - 1.0));
     }
@@ -173,11 +174,8 @@ Color MapColors::color(int face, const model::SurfaceJet& jet, const Eigen::Vect
                        const Eigen::Vector3d& to_camera) const {
   switch (map_) {
     case Map::mean_curvature:
-    case Map::gauss: {
-      const double value = map_value(map_, jet, inward_[face]);
-      const double t = std::isfinite(value) ? std::clamp(value / range_, -1.0, 1.0) : 0.0;
-      return scale_[static_cast<std::size_t>(std::lround((0.5 + 0.5 * t) * scale_steps))];
-    }
+    case Map::gauss:
+      return scale_color(map_value(map_, jet, inward_[face]));
     case Map::zebra: {
       const Eigen::Vector3d mirror = 2.0 * normal.dot(to_camera) * normal - to_camera;
       const double stripe = degrees(mirror.z()) / zebra_stripe;
@@ -189,6 +187,17 @@ Color MapColors::color(int face, const model::SurfaceJet& jet, const Eigen::Vect
     default:
       return face_colors_[face];
   }
+}
+
+Color MapColors::field_color(int face, double u, double v) const {
+  const FaceField* const field = face_fields_[face];
+  const double value = field != nullptr ? field->sample(u, v) : std::nan("");
+  return std::isnan(value) ? unknown_color() : scale_color(value);
+}
+
+Color MapColors::scale_color(double value) const {
+  const double t = std::isfinite(value) ? std::clamp(value / range_, -1.0, 1.0) : 0.0;
+  return scale_[static_cast<std::size_t>(std::lround((0.5 + 0.5 * t) * scale_steps))];
 }
 
 Color isophote_color(double angle) {

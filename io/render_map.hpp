@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/palette.hpp"
+#include "io/surface_field.hpp"
 #include "io/tessellate.hpp"
 #include "model/surface.hpp"
 
@@ -20,6 +21,7 @@ enum class Map {
   isophotes,       ///< bands every 5 degrees of the angle between the normal and straight up
   patches,         ///< one colour per patch; transitions and corners grey
   stages,          ///< patches, transitions and corners in three colours
+  field,           ///< a SurfaceField; has no name, for it needs data that a model does not have
 };
 
 /// "shade", "mean-curvature", "gauss", "zebra", "isophotes", "patches" or "stages".
@@ -38,8 +40,10 @@ double curvature_range(const std::vector<model::Surface>& faces, Map map);
 /// Colours of a map. Plain data; queries may run in several threads.
 class MapColors {
  public:
-  /// `range` as for curvature_range; found from the faces when absent.
-  MapColors(const std::vector<model::Surface>& faces, Map map, std::optional<double> range);
+  /// `range` as for curvature_range; found from the faces when absent. `field` is what Map::field
+  /// shows and must outlive the colours. Throws std::invalid_argument when it is missing.
+  MapColors(const std::vector<model::Surface>& faces, Map map, std::optional<double> range,
+            const SurfaceField* field = nullptr);
 
   Map map() const { return map_; }
   double range() const { return range_; }
@@ -52,6 +56,12 @@ class MapColors {
   Color color(int face, const model::SurfaceJet& jet, const Eigen::Vector3d& normal,
               const Eigen::Vector3d& to_camera) const;
 
+  /// The same for Map::field at (u, v).
+  Color field_color(int face, double u, double v) const;
+
+  /// What Map::field shows; null for other maps.
+  const SurfaceField* field() const { return field_; }
+
   /// Names and colours of what the map distinguishes: patches without their mirror images, or
   /// stages.
   struct Entry {
@@ -61,11 +71,15 @@ class MapColors {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
+  Color scale_color(double value) const;
+
   Map map_;
+  const SurfaceField* field_ = nullptr;
+  std::vector<const FaceField*> face_fields_;  // by face, of Map::field
   double range_ = 1.0;
   std::vector<bool> inward_;
   std::vector<Color> face_colors_;
-  std::vector<Color> scale_;  // of a curvature map, from -range to range
+  std::vector<Color> scale_;  // of a curvature or a field, from -range to range
   std::vector<Entry> entries_;
 };
 

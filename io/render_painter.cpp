@@ -72,7 +72,9 @@ Color Painter::face_color(const Ray& ray, const Hit& hit) const {
   const bool outside = hit.along_normal == face.inward;
   if (!outside) return inside_color(point);
   point.open = occlusion_.face(hit.face, hit.u, hit.v);
-  const Color color = colors_.color(hit.face, jet, point.normal, point.to_camera);
+  const Color color = colors_.map() == Map::field
+                          ? colors_.field_color(hit.face, hit.u, hit.v)
+                          : colors_.color(hit.face, jet, point.normal, point.to_camera);
   if (colors_.map() == Map::shade) return paint(point, color, occlusion_);
   Color lit = color * form_light(point);
   if (colors_.edge_lines()) {

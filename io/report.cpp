@@ -1,9 +1,8 @@
 #include "io/report.hpp"
 
-#include "io/report_assets.hpp"
 #include "io/report_facts.hpp"
-#include "io/report_html.hpp"
 #include "io/report_page.hpp"
+#include "io/report_parts.hpp"
 #include "io/report_sections.hpp"
 
 namespace bodyline::io {
@@ -11,24 +10,11 @@ namespace {
 
 constexpr PictureSize picture_size{1200, 675};
 
-std::string head(const FairReport& report) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
-         "name=\"viewport\" "
-         "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         html_escaped(report.title) + "</title>\n<style>\n" + std::string(report_style_sheet()) +
-         "</style>\n</head>\n";
-}
-
-std::string script(std::string_view text) {
-  return "<script>\n" + std::string(text) + "</script>\n";
-}
-
 }  // namespace
 
 std::string fair_report_page(const FairReport& report, const PictureSize& pictures) {
   const ReportFacts facts = report_facts(report);
-  std::string html = head(report) + "<body>\n<main>\n";
-  html += report_verdict_section(report, facts);
+  std::string html = report_verdict_section(report, facts);
   html += report_pictures_section(report, pictures);
   html += report_viewer_section(report);
   html += report_terms_section(report);
@@ -37,9 +23,8 @@ std::string fair_report_page(const FairReport& report, const PictureSize& pictur
   html += report_history_section(report);
   html += report_variables_section(report);
   html += report_measures_section(facts);
-  html += report_repeat_section(report);
-  html += "</main>\n" + script(report_script()) + script(report_viewer_script());
-  return html + "</body>\n</html>\n";
+  html += html_repeat_section(report.command);
+  return html_page(report.title, html);
 }
 
 void write_fair_report(const FairReport& report, const std::filesystem::path& path,

@@ -11,13 +11,13 @@
   }
 
   // One button per choice; `choose` gets its index.
-  function tabs(buttons, choose) {
+  function tabs(buttons, choose, first = 0) {
     const press = (index) => {
       buttons.forEach((button, k) => button.setAttribute('aria-pressed', k === index));
       choose(index);
     };
     buttons.forEach((button, k) => button.addEventListener('click', () => press(k)));
-    press(0);
+    press(first);
   }
 
   function slider(stage, setCut) {
@@ -46,7 +46,7 @@
       section.style.setProperty('--cut', `${percent}%`);
       inputs.forEach((input) => { input.value = percent; });
     };
-    figures.forEach((figure) => inputs.push(slider(figure.querySelector('.stage'), setCut)));
+    all('.stage', section).forEach((stage) => inputs.push(slider(stage, setCut)));
     const bar = element('div', { className: 'tabs' }, section);
     section.insertBefore(bar, figures[0]);
     const buttons = figures.map(
@@ -55,6 +55,27 @@
       figures.forEach((figure, k) => figure.classList.toggle('current', k === index));
     });
     setCut(50);
+  }
+
+  // Coming closer to a drawing that has a viewBox.
+  function zoomable(svg) {
+    const box = svg.viewBox.baseVal, home = [box.x, box.y, box.width, box.height];
+    const set = (x, y, w, h) => { [box.x, box.y, box.width, box.height] = [x, y, w, h]; };
+    const place = (event) => new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    svg.addEventListener('wheel', (event) => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      const at = place(event);
+      const factor = Math.min(home[2] / box.width, Math.max(0.01, Math.exp(0.004 * event.deltaY)));
+      set(at.x + factor * (box.x - at.x), at.y + factor * (box.y - at.y), factor * box.width, factor * box.height);
+    }, { passive: false });
+    svg.addEventListener('pointerdown', (event) => svg.setPointerCapture(event.pointerId));
+    svg.addEventListener('pointermove', (event) => {
+      if (!(event.buttons & 1)) return;
+      const scale = svg.getScreenCTM().a;
+      set(box.x - event.movementX / scale, box.y - event.movementY / scale, box.width, box.height);
+    });
+    svg.addEventListener('dblclick', () => set(...home));
   }
 
   function variables(section) {
@@ -98,6 +119,7 @@
 
   document.documentElement.classList.add('live');
   window.reportTabs = tabs;
-  pictures(document.getElementById('pictures'));
-  variables(document.getElementById('variables'));
+  all('.gallery').forEach(pictures);
+  all('#variables').forEach(variables);
+  all('.section').forEach(zoomable);
 })();

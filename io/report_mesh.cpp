@@ -52,7 +52,7 @@ Frame3 common_frame(const std::vector<FaceGrid>& before, const std::vector<FaceG
 
 std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces,
                                    const std::vector<FaceGrid>& grids, const Frame3& frame,
-                                   double curvature_range) {
+                                   const ReportValue& value_at) {
   std::vector<std::uint8_t> bytes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (int k = 0; k < int(grids[f].points.size()); ++k) {
@@ -60,12 +60,11 @@ std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces,
         return std::clamp(double(index) / cells_per_face, inset, 1.0 - inset);
       };
       const double u = parameter(k / (cells_per_face + 1)), v = parameter(k % (cells_per_face + 1));
-      const model::Curvature curvature =
-          model::curvature(model::jet(faces[f], u, v, 2), faces[f].inward);
+      const double value = value_at(faces[f], u, v);
       append(bytes, (grids[f].points[k] - frame.centre) / frame.half_size);
-      append(bytes, model::mm_per_m * curvature.mean / curvature_range);
+      append(bytes, value);
       append(bytes, model::outward_normal(faces[f], u, v));
-      append(bytes, 0.0);
+      append(bytes, std::isnan(value) ? 0.0 : 1.0);
     }
   }
   return bytes;
@@ -73,8 +72,22 @@ std::vector<std::uint8_t> vertices(const std::vector<model::Surface>& faces,
 
 }  // namespace
 
+ReportValue curvature_value(double range) {
+  return [range](const model::Surface& face, double u, double v) {
+    const double mean = model::curvature(model::jet(face, u, v, 2), face.inward).mean;
+    return std::isfinite(mean) ? model::mm_per_m * mean / range : 0.0;
+  };
+}
+
+ReportValue field_value(const SurfaceField& field) {
+  return [&field](const model::Surface& face, double u, double v) {
+    const FaceField* const values = field.face(face.name);
+    return values != nullptr ? values->sample(u, v) / field.range : std::nan("");
+  };
+}
+
 ReportMesh report_mesh(const std::vector<model::Surface>& before,
-                       const std::vector<model::Surface>& after, double curvature_range) {
+                       const std::vector<model::Surface>& after, const ReportValue& value) {
   ReportMesh mesh;
   if (!same_faces(before, after)) return mesh;
   const std::vector<FaceGrid> grids_before = tessellate(before, cells_per_face);
@@ -82,8 +95,8 @@ ReportMesh report_mesh(const std::vector<model::Surface>& before,
   const Frame3 frame = common_frame(grids_before, grids_after);
   mesh.cells = cells_per_face;
   for (const model::Surface& face : before) mesh.mirrored.push_back(!face.central);
-  mesh.before = vertices(before, grids_before, frame, curvature_range);
-  mesh.after = vertices(after, grids_after, frame, curvature_range);
+  mesh.before = vertices(before, grids_before, frame, value);
+  mesh.after = vertices(after, grids_after, frame, value);
   return mesh;
 }
 

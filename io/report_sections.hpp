@@ -34,7 +34,4 @@ std::string report_variables_section(const FairReport& report);
 /// Length, width, height, wheelbase, area and volume.
 std::string report_measures_section(const ReportFacts& facts);
 
-/// The command line that repeats the run.
-std::string report_repeat_section(const FairReport& report);
-
 }  // namespace bodyline::io

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "io/report_html.hpp"
+#include "io/report_parts.hpp"
 #include "io/report_sections.hpp"
 
 namespace bodyline::io {
@@ -91,12 +92,6 @@ std::string joint_words(const JointFacts& facts) {
   return fmt::format("; {} of {} joints have a kink", facts.kinked, facts.joints);
 }
 
-std::string tile(const std::string& label, const std::string& value, const std::string& note,
-                 bool warning = false) {
-  return fmt::format("<div class=\"tile{}\"><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n",
-                     warning ? " warning" : "", label, value, note);
-}
-
 std::string tiles(const FairReport& report, const ReportFacts& facts, const Folds& folds) {
   const ReportTerm term = main_term(report);
   const JointFacts joints = joint_facts(facts.after);
@@ -104,17 +99,17 @@ std::string tiles(const FairReport& report, const ReportFacts& facts, const Fold
   const auto moved = std::count_if(report.variables.begin(), report.variables.end(),
                                    [](const ReportVariable& v) { return v.before != v.after; });
   std::string html = "<dl class=\"tiles\">\n";
-  html += tile(html_escaped(spoken_name(term.name)), html_number(term.after),
-               "was " + html_number(term.before));
-  html += tile("Times less", html_number(ratio, 3), "before ÷ after");
-  html += tile("Faces that fold", std::to_string(folds.after.size()),
-               fmt::format("were {}", folds.before.size()), !folds.after.empty());
-  html += tile("Kink at joints", html_number(joints.worst_deg, 1), "degrees at most",
-               joints.kinked > 0);
-  html += tile("Variables moved", std::to_string(moved),
-               fmt::format("of {} tuned", report.variables.size()));
-  html += tile("Search", fmt::format("{} s", html_number(report.seconds, 2)),
-               fmt::format("{} evaluations", report.evaluations));
+  html += html_tile(html_escaped(spoken_name(term.name)), html_number(term.after),
+                    "was " + html_number(term.before));
+  html += html_tile("Times less", html_number(ratio, 3), "before ÷ after");
+  html += html_tile("Faces that fold", std::to_string(folds.after.size()),
+                    fmt::format("were {}", folds.before.size()), !folds.after.empty());
+  html += html_tile("Kink at joints", html_number(joints.worst_deg, 1), "degrees at most",
+                    joints.kinked > 0);
+  html += html_tile("Variables moved", std::to_string(moved),
+                    fmt::format("of {} tuned", report.variables.size()));
+  html += html_tile("Search", fmt::format("{} s", html_number(report.seconds, 2)),
+                    fmt::format("{} evaluations", report.evaluations));
   return html + "</dl>\n";
 }
 
@@ -122,14 +117,6 @@ std::vector<std::string> without(std::vector<std::string> names,
                                  const std::vector<std::string>& left_out) {
   std::erase_if(names, [&](const std::string& name) { return contains(left_out, name); });
   return names;
-}
-
-std::string names_sentence(const std::string& begin, const std::vector<std::string>& names,
-                           const char* kind) {
-  if (names.empty()) return "";
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + html_escaped(name);
-  return fmt::format("<p class=\"{}\">{}: {}.</p>\n", kind, begin, list);
 }
 
 }  // namespace
@@ -140,9 +127,9 @@ std::string report_verdict_section(const FairReport& report, const ReportFacts& 
   html += fmt::format("<h1>{}</h1>\n", html_escaped(report.title));
   html += fmt::format("<p class=\"verdict\">{}; {}{}.</p>\n", term_words(main_term(report)),
                       fold_words(folds), joint_words(joint_facts(facts.after)));
-  html += names_sentence("Folded", folds.after, "warning");
-  html += names_sentence("Folded before their cut, though not in the finished body",
-                         without(folds.whole_patches, folds.after), "status");
+  html += html_names_sentence("Folded", folds.after, "warning");
+  html += html_names_sentence("Folded before their cut, though not in the finished body",
+                              without(folds.whole_patches, folds.after), "status");
   html += fmt::format("<p class=\"status\">{}</p>\n", html_escaped(report.status));
   html += tiles(report, facts, folds);
   return html + "</header>\n";

@@ -6,8 +6,8 @@
 #include "io/palette.hpp"
 #include "io/render_map.hpp"
 #include "io/report_html.hpp"
-#include "io/report_mesh.hpp"
 #include "io/report_sections.hpp"
+#include "io/report_viewer.hpp"
 #include "model/build.hpp"
 
 namespace bodyline::io {
@@ -16,7 +16,7 @@ namespace {
 constexpr int colors = 64;
 
 // The scale of the pictures, as RGB bytes.
-std::vector<std::uint8_t> curvature_colors() {
+std::vector<std::uint8_t> map_colors() {
   std::vector<std::uint8_t> bytes;
   for (int k = 0; k < colors; ++k) {
     const Color color = diverging_color(2.0 * k / (colors - 1) - 1.0);
@@ -34,6 +34,30 @@ std::string data(const char* id, const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
+std::string report_viewer(const ReportMesh& mesh, const ViewerText& text) {
+  if (mesh.cells == 0) return "";
+  std::string mirrored;
+  for (const bool face : mesh.mirrored) mirrored += face ? '1' : '0';
+  const std::string slider =
+      text.blended ? "<label>before <input class=\"blend\" type=\"range\" min=\"0\" max=\"1\" "
+                     "step=\"0.01\" value=\"1\"/> after</label>"
+                   : "";
+  std::string html = fmt::format(
+      "<section id=\"viewer\" hidden=\"hidden\" data-cells=\"{0}\" data-mirrored=\"{1}\" "
+      "data-stripe=\"{2}\" data-look=\"{3}\">\n<h2>Turn it</h2>\n"
+      "<p class=\"lead\">Drag to turn, hold Ctrl and scroll to come closer, double-click to "
+      "return.{4}</p>\n<div class=\"canvas\"><canvas "
+      "tabindex=\"0\" aria-label=\"The body in three dimensions\"></canvas></div>\n<div "
+      "class=\"controls\">{5}<div class=\"tabs\" role=\"group\" aria-label=\"Colours\">"
+      "<button>Paint</button><button>Zebra</button><button>{6}</button></div><span "
+      "class=\"scale\">{7}</span></div>\n",
+      mesh.cells, mirrored, plain_number(zebra_stripe), text.first_look,
+      text.blended ? " The slider blends the body before into the one after." : "", slider,
+      text.map, text.scale);
+  html += data("mesh-before", mesh.before) + data("mesh-after", mesh.after);
+  return html + data("map-colors", map_colors()) + "</section>\n";
+}
+
 std::string report_viewer_section(const FairReport& report) {
   const auto before =
       model::build(report.before, model::Stage::body, model::Halves::left_and_central);
@@ -41,25 +65,10 @@ std::string report_viewer_section(const FairReport& report) {
       model::build(report.after, model::Stage::body, model::Halves::left_and_central);
   const double range = std::max(curvature_range(before, Map::mean_curvature),
                                 curvature_range(after, Map::mean_curvature));
-  const ReportMesh mesh = report_mesh(before, after, range);
-  if (mesh.cells == 0) return "";
-  std::string mirrored;
-  for (const bool face : mesh.mirrored) mirrored += face ? '1' : '0';
-  std::string html = fmt::format(
-      "<section id=\"viewer\" hidden=\"hidden\" data-cells=\"{0}\" data-mirrored=\"{1}\" "
-      "data-stripe=\"{2}\">\n<h2>Turn it</h2>\n"
-      "<p class=\"lead\">Drag to turn, hold Ctrl and scroll to come closer, double-click to "
-      "return. The "
-      "slider blends the body before into the one after.</p>\n<div class=\"canvas\"><canvas "
-      "tabindex=\"0\" aria-label=\"The body in three dimensions\"></canvas></div>\n<div "
-      "class=\"controls\"><label>before <input class=\"blend\" type=\"range\" min=\"0\" max=\"1\" "
-      "step=\"0.01\" value=\"1\"/> after</label><div class=\"tabs\" role=\"group\" "
-      "aria-label=\"Colours\">"
-      "<button>Paint</button><button>Zebra</button><button>Mean curvature</button></div><span "
-      "class=\"scale\">colours from −{3} to {3} 1/m</span></div>\n",
-      mesh.cells, mirrored, plain_number(zebra_stripe), plain_number(range));
-  html += data("mesh-before", mesh.before) + data("mesh-after", mesh.after);
-  return html + data("curvature-colors", curvature_colors()) + "</section>\n";
+  ViewerText text;
+  text.map = "Mean curvature";
+  text.scale = fmt::format("colours from −{0} to {0} 1/m", plain_number(range));
+  return report_viewer(report_mesh(before, after, curvature_value(range)), text);
 }
 
 }  // namespace bodyline::io

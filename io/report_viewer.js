@@ -4,22 +4,23 @@
 (() => {
   const vertexShader = `#version 300 es
     in vec3 p0, p1, n0, n1;
-    in float h0, h1;
+    in float h0, h1, k0, k1;
     uniform mat4 camera;
     uniform float blend, mirror;
     out vec3 normal, point;
-    out float curvature;
+    out float value, known;
     void main() {
       vec3 turned = vec3(1.0, mirror, 1.0);
       point = mix(p0, p1, blend) * turned;
       normal = mix(n0, n1, blend) * turned;
-      curvature = mix(h0, h1, blend);
+      value = mix(h0, h1, blend);
+      known = mix(k0, k1, blend);
       gl_Position = camera * vec4(point, 1.0);
     }`;
   const fragmentShader = `#version 300 es
     precision highp float;
     in vec3 normal, point;
-    in float curvature;
+    in float value, known;
     uniform vec3 eye;
     uniform float period;
     uniform int look;
@@ -50,7 +51,8 @@
       float form = 0.72 + 0.28 * max(0.0, dot(n, normalize(to_eye + vec3(0.0, 0.0, 0.8))));
       vec3 chosen = paint(n, d, max(facing, 0.0));
       if (look == 1) chosen = form * mix(vec3(0.96), vec3(0.12, 0.13, 0.16), zebra(d));
-      if (look == 2) chosen = form * texture(scale, vec2(0.5 + 0.5 * curvature, 0.5)).rgb;
+      vec3 mapped = known > 0.5 ? texture(scale, vec2(0.5 + 0.5 * value, 0.5)).rgb : vec3(0.59, 0.60, 0.63);
+      if (look == 2) chosen = form * mapped;
       color = vec4(facing < -0.12 ? vec3(0.20, 0.22, 0.25) : chosen, 1.0);
     }`;
 
@@ -122,7 +124,7 @@
     const triangles = gridTriangles(cells);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
-    const colors = bytes('curvature-colors');
+    const colors = bytes('map-colors');
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB, colors.length / 3, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, colors);
@@ -133,7 +135,7 @@
     function useFace(face) {
       buffers.forEach((buffer, k) => {
         gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-        [['p', 3, 0], ['h', 1, 6], ['n', 3, 8]].forEach(([name, size, offset]) => {
+        [['p', 3, 0], ['h', 1, 6], ['n', 3, 8], ['k', 1, 14]].forEach(([name, size, offset]) => {
           const at = gl.getAttribLocation(linked, name + k);
           gl.enableVertexAttribArray(at);
           gl.vertexAttribPointer(at, size, gl.SHORT, true, stride, face * vertices * stride + offset);
@@ -198,12 +200,12 @@
       if (event.key === '-') zoomBy(1 / 1.15);
     });
     const blend = section.querySelector('.blend');
-    blend.addEventListener('input', () => { state.blend = Number(blend.value); redraw(); });
+    if (blend) blend.addEventListener('input', () => { state.blend = Number(blend.value); redraw(); });
     window.reportTabs([...section.querySelectorAll('.tabs button')], (index) => {
       state.look = index;
       section.querySelector('.scale').hidden = index !== 2;
       redraw();
-    });
+    }, Number(section.dataset.look));
     new ResizeObserver(redraw).observe(canvas);
   }
 

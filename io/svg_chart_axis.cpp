@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/report_html.hpp"
+#include "io/round_up.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -11,17 +12,8 @@ namespace {
 constexpr int most_ticks = 7, fewest_ticks = 2;
 constexpr double margin = 0.03;  // of the range, beyond the values on both sides
 
-// 1, 2 or 5 times a power of ten, not below `step`.
-double round_step(double step) {
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (step <= factor * power * (1.0 + 1e-9)) return factor * power;
-  }
-  return 10.0 * power;
-}
-
 std::vector<double> linear_ticks(double low, double high) {
-  const double step = round_step((high - low) / most_ticks);
+  const double step = rounded_up((high - low) / most_ticks);
   std::vector<double> ticks;
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
     ticks.push_back(k * step);

@@ -74,6 +74,33 @@ BODYLINE_INLINE LaneJet lane_jet(int degree_u, int degree_v, const double* net, 
   return jet;
 }
 
+/// Adds `blend` times the Gregory function g of section 8 to a jet; g = a(u) a(v) q(u, v) with
+/// a(t) = t (1 - t)^2 and q = (u^2 - v^2) / (u^2 + v^2).
+BODYLINE_INLINE void add_blend(const double* blend, Lanes u, Lanes v, LaneJet& jet) {
+  const Lanes s = 1.0 / (u * u + v * v + 1e-60), s2 = s * s, s3 = s * s2;
+  const Lanes uu = u * u, vv = v * v, uv = u * v;
+  const Lanes q = (uu - vv) * s, q_u = 4.0 * uv * v * s2, q_v = -4.0 * uv * u * s2;
+  const Lanes q_uu = 4.0 * vv * (vv - 3.0 * uu) * s3, q_uv = 8.0 * uv * (uu - vv) * s3,
+              q_vv = -4.0 * uu * (uu - 3.0 * vv) * s3;
+  const Lanes a = u * (1.0 - u) * (1.0 - u), b = v * (1.0 - v) * (1.0 - v);
+  const Lanes a1 = (1.0 - u) * (1.0 - 3.0 * u), b1 = (1.0 - v) * (1.0 - 3.0 * v);
+  const Lanes a2 = 6.0 * u - 4.0, b2 = 6.0 * v - 4.0;
+  const Vector w = broadcast_vector(blend);
+  accumulate(jet.s, a * b * q, w);
+  accumulate(jet.su, b * (a1 * q + a * q_u), w);
+  accumulate(jet.sv, a * (b1 * q + b * q_v), w);
+  accumulate(jet.suu, b * (a2 * q + 2.0 * a1 * q_u + a * q_uu), w);
+  accumulate(jet.suv, a1 * (b1 * q + b * q_v) + a * (b1 * q_u + b * q_uv), w);
+  accumulate(jet.svv, a * (b2 * q + 2.0 * b1 * q_v + b * q_vv), w);
+}
+
+BODYLINE_INLINE LaneJet lane_jet(int degree_u, int degree_v, const double* net, const double* blend,
+                                 Lanes u, Lanes v) {
+  LaneJet jet = lane_jet(degree_u, degree_v, net, u, v);
+  if (blend) add_blend(blend, u, v, jet);
+  return jet;
+}
+
 BODYLINE_INLINE Lanes clamped(Lanes x, double low, double high) {
   const Lanes l = broadcast(low), h = broadcast(high);
   x = x < l ? l : x;
@@ -106,15 +133,15 @@ BODYLINE_INLINE void newton_step(const LaneJet& jet, const Vector& point, Lanes&
   v = fix_v ? v : clamped(v + clamped(dv, -longest, longest), 0.0, 1.0);
 }
 
-inline void foot_points(int degree_u, int degree_v, const double* net, int steps,
-                        const FootPointArrays& a) {
+inline void foot_points(int degree_u, int degree_v, const double* net, const double* blend,
+                        int steps, const FootPointArrays& a) {
   for (int k = 0; k < a.count; k += lanes) {
     const Vector point{load(a.x + k), load(a.y + k), load(a.z + k)};
     Lanes u = load(a.u + k), v = load(a.v + k);
-    LaneJet jet = lane_jet(degree_u, degree_v, net, u, v);
+    LaneJet jet = lane_jet(degree_u, degree_v, net, blend, u, v);
     for (int step = 0; step < steps; ++step) {
       newton_step(jet, point, u, v);
-      jet = lane_jet(degree_u, degree_v, net, u, v);
+      jet = lane_jet(degree_u, degree_v, net, blend, u, v);
     }
     store(a.u + k, u);
     store(a.v + k, v);

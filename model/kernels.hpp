@@ -76,9 +76,9 @@ struct Kernels {
   /// is positive where the face bends towards Su x Sv.
   void (*curvature)(const FaceRule&, const double* net, const double* blend, double* mean,
                     double* gauss) = nullptr;
-  /// `steps` steps of Newton's method towards the nearest points of a polynomial face, degrees up
-  /// to 12, from the given parameters.
-  void (*foot_points)(int degree_u, int degree_v, const double* net, int steps,
+  /// `steps` steps of Newton's method towards the nearest points of a face, degrees up to 12, from
+  /// the given parameters; `blend` is null on a polynomial face.
+  void (*foot_points)(int degree_u, int degree_v, const double* net, const double* blend, int steps,
                       const FootPointArrays&) = nullptr;
   /// Adds up sum B_a(u) B_b(v) W over the points, B of the doubled degrees, into second[a *
   /// stride + 6 b + entry], where stride = moment_stride(degree_v), and sum B_i(u) B_j(v) W target

@@ -50,7 +50,7 @@ FitPhase::FitPhase(const model::Model& model, const model::Scan& scan, FitPhaseO
     : state_(std::make_unique<State>(model, scan, std::move(options))) {}
 FitPhase::~FitPhase() = default;
 
-double FitPhase::run(const FitRound& round) {
+FitPhase::Outcome FitPhase::run(const FitRound& round) {
   State& s = *state_;
   s.builder.build(s.variables.expand(s.x));
   const double* nets = s.builder.nets();
@@ -79,8 +79,9 @@ double FitPhase::run(const FitRound& round) {
   search.max_evaluations = s.options.evaluations;
   search.relative_improvement = 1e-4;  // the next round asks for something else
   search.should_stop = s.options.should_stop;
-  s.x = minimize(problem, s.x, search).x;
-  return quantile(std::move(distances), 0.5);
+  const Result found = minimize(problem, s.x, search);
+  s.x = found.x;
+  return {quantile(std::move(distances), 0.5), found.status};
 }
 
 model::Model FitPhase::model() const {

@@ -10,6 +10,7 @@
 #include "optimize/rim_pulls.hpp"
 #include "optimize/robust_pulls.hpp"
 #include "optimize/scan_match.hpp"
+#include "optimize/status.hpp"
 
 namespace bodyline::optimize {
 
@@ -40,8 +41,11 @@ class FitPhase {
   FitPhase(const model::Model& model, const model::Scan& scan, FitPhaseOptions options);
   ~FitPhase();
 
-  /// Returns the median distance of the scan's points before the round, mm.
-  double run(const FitRound& round);
+  struct Outcome {
+    double distance = 0.0;  ///< median distance of the scan's points before the round, mm
+    Status status = Status::failed;
+  };
+  Outcome run(const FitRound& round);
 
   /// The model as it is now.
   model::Model model() const;

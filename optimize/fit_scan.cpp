@@ -73,7 +73,9 @@ FitPhaseOptions Fitter::phase_options(model::Stage stage, std::vector<std::strin
 
 void Fitter::one_round(FitPhase& phase, const std::string& name, int index, int rounds,
                        const FitRound& round) {
-  FitProgress progress{name, index + 1, rounds, phase.run(round), 0.0};
+  const FitPhase::Outcome outcome = phase.run(round);
+  FitProgress progress{name, index + 1, rounds, outcome.distance, 0.0};
+  result_.status = outcome.status;
   progress.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   result_.history.push_back(progress);
   if (options_.on_progress) options_.on_progress(progress);
@@ -118,13 +120,12 @@ FitResult Fitter::run(const model::Scan& coarse, const model::Scan& fine) {
                     phase_options(model::Stage::base, {"curve.*"}, options_.bending, 100));
     run_rounds(curves, "curves", options_.curve_rounds, 2.0 * middle, middle);
   }
-  FitPhase body(
-      result_.model, fine,
-      phase_options(model::Stage::body, {"curve.*", "shape.*", "cut.*", "fullness.*", "lean.*"},
-                    options_.bending, 150));
+  FitPhase body(result_.model, fine,
+                phase_options(model::Stage::body, {"*"}, options_.bending, 150));
   run_rounds(body, "body", options_.body_rounds, middle, options_.near);
   unfold(body);
-  result_.status = stopped() ? Status::interrupted : Status::small_improvement;
+  // A round that ends at its limit is followed by the next; only the last one's limit is the fit's.
+  if (stopped()) result_.status = Status::interrupted;
   result_.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   return result_;
 }
@@ -136,6 +137,9 @@ FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model
   if (scan.points.empty()) throw std::invalid_argument("the scan has no points");
   if (scan.normals.size() != scan.points.size())
     throw std::invalid_argument("the scan has no normals; estimate them first");
+  if (options.coarse_points < 1 || options.fine_points < 1 || !(options.far > 0.0) ||
+      !(options.near > 0.0) || !(options.rim_near > 0.0))
+    throw std::invalid_argument("numbers of points and distances of a fit must be positive");
   return Fitter(options, start)
       .run(folded_scan(scan, pose, options.coarse_points),
            folded_scan(scan, pose, options.fine_points));

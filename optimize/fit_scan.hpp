@@ -38,7 +38,7 @@ struct FitOptions {
 };
 
 struct FitResult {
-  Status status = Status::failed;  ///< small_improvement, or interrupted
+  Status status = Status::failed;  ///< of the last round, or interrupted
   model::Model model;
   std::vector<FitProgress> history;
   std::vector<std::string> folded_faces;  ///< those that still fold; " (whole patch)" before cuts
@@ -46,8 +46,9 @@ struct FitResult {
 };
 
 /// Fits a body to a scan that `pose` brings into the coordinates of `start`: first a smooth warp of
-/// the whole body, then its curves with whole patches, then everything with the closed body, until
-/// no face folds. Throws std::invalid_argument when the scan has no points or no normals.
+/// the whole body, then its curves with whole patches, then everything with the closed body; while
+/// a face folds up to `unfold_rounds` more. Throws std::invalid_argument when the scan has no
+/// points or no normals.
 FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
                    const FitOptions& options);
 

@@ -52,8 +52,8 @@ FitVariables::FitVariables(const model::BodyContext& context,
   scale_.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const model::Variable& variable = context.map.variables()[selected_[k]];
-    lower_[k] = std::min(variable.lower, origin_[k]);
-    upper_[k] = std::max(variable.upper, origin_[k]);
+    lower_[k] = variable.lower;
+    upper_[k] = variable.upper;
     scale_[k] = typical_move(variable.kind);
   }
 }

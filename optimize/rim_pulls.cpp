@@ -39,7 +39,7 @@ RimPoint rim_point(const model::Kernels& kernels, const model::Face& face, const
   a.count = 2;
   a.x = numbers[0], a.y = numbers[1], a.z = numbers[2], a.u = numbers[3], a.v = numbers[4];
   for (int c = 0; c < 3; ++c) a.foot[c] = numbers[5 + c], a.normal[c] = numbers[8 + c];
-  kernels.foot_points(face.degree_u, face.degree_v, net, 0, a);
+  kernels.foot_points(face.degree_u, face.degree_v, net, nullptr, 0, a);
   RimPoint point;
   point.match.u = u;
   point.match.v = v;

@@ -94,7 +94,8 @@ FaceSamples sample_faces(const model::BodyPlan& plan, model::Stage stage, const 
       columns[3][k] = (k / n + 0.5) / n_u;
       columns[4][k] = (k % n + 0.5) / n;
     }
-    kernels.foot_points(face.degree_u, face.degree_v, net, 0, arrays(columns, count));
+    const double* const blend = face.blend < 0 ? nullptr : nets + 3 * face.blend;
+    kernels.foot_points(face.degree_u, face.degree_v, net, blend, 0, arrays(columns, count));
     const double scale = with_normals ? (face.inward ? -1.0 : 1.0) * options.normal_length : 0.0;
     for (int k = 0; k < count; ++k) {
       samples.keys.push_back({columns[5][k], columns[6][k], columns[7][k], scale * columns[8][k],
@@ -127,6 +128,7 @@ std::vector<Try> choose_tries(const FaceSamples& samples, const model::Scan& sca
         own[taken++] = {int(p), face, samples.parameters[index[k]][0],
                         samples.parameters[index[k]][1]};
       }
+      if (taken == 0) own[taken++] = {int(p), 0, 0.5, 0.5};  // a point that is not finite
       while (taken < per_point) own[taken] = own[0], ++taken;
     }
   });
@@ -163,7 +165,8 @@ std::vector<Match> ScanMatcher::match(const double* nets) const {
       columns[3][t - begin] = one.u;
       columns[4][t - begin] = one.v;
     }
-    kernels_->foot_points(faces[f].degree_u, faces[f].degree_v, nets + 3 * faces[f].net,
+    const double* const blend = faces[f].blend < 0 ? nullptr : nets + 3 * faces[f].blend;
+    kernels_->foot_points(faces[f].degree_u, faces[f].degree_v, nets + 3 * faces[f].net, blend,
                           options_.steps, arrays(columns, end - begin));
     const double sign = faces[f].inward ? -1.0 : 1.0;
     for (int t = begin; t < end; ++t) {
@@ -181,6 +184,7 @@ std::vector<Match> ScanMatcher::match(const double* nets) const {
   std::vector<Match> best(scan_->points.size());
   tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t p) {
     double least = std::numeric_limits<double>::infinity();
+    best[p] = results[p * options_.candidates];
     for (int k = 0; k < options_.candidates; ++k) {
       const Match& one = results[p * options_.candidates + k];
       double measure = (scan_->points[p] - one.foot).norm();

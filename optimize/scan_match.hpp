@@ -27,8 +27,7 @@ struct MatchOptions {
 };
 
 /// Finds for every point of a folded scan the nearest point of a body: the nearest samples tell
-/// which faces to try, Newton's method does the rest. The Gregory terms of pillar feet, some
-/// hundredths of a mm, are left out.
+/// which faces to try, Newton's method does the rest.
 class ScanMatcher {
  public:
   /// `scan` and `plan` must outlive it. Threads are those of oneTBB; results have the same bits for

@@ -93,7 +93,7 @@ void ScanTerm::set(const std::vector<Match>& matches, const std::vector<MatchPul
   double total = 0.0;
   for (int k = 0; k < int(matches.size()); ++k) {
     const double trace = pulls[k].weight.trace();
-    if (!(trace > 0.0)) continue;
+    if (!(trace > 0.0) || faces[matches[k].face].blend >= 0) continue;
     total += trace;
     of_face[matches[k].face].push_back(k);
   }
@@ -133,7 +133,12 @@ void ScanTerm::set(const std::vector<Match>& matches, const std::vector<MatchPul
     squares.constant = whole.constant / total;
   });
   rows_ = 0;
-  for (const FaceSquares& face : faces_) rows_ += face.slope.size() + 1;
+  Index largest = 0;
+  for (const FaceSquares& face : faces_) {
+    rows_ += face.slope.size() + 1;
+    largest = std::max(largest, face.slope.size());
+  }
+  product_.resize(largest);
   factorized_ = false;
 }
 
@@ -141,7 +146,8 @@ double ScanTerm::value(const double* nets, double scale, double* nets_bar) {
   double sum = 0.0;
   for (const FaceSquares& face : faces_) {
     const Eigen::Map<const VectorXd> x(nets + face.net, face.slope.size());
-    const VectorXd product = face.hessian * x;
+    auto product = product_.head(face.slope.size());
+    product.noalias() = face.hessian * x;
     sum += x.dot(product) - 2.0 * face.slope.dot(x) + face.constant;
     if (!nets_bar) continue;
     Eigen::Map<VectorXd>(nets_bar + face.net, face.slope.size()) +=

@@ -17,7 +17,8 @@ struct MatchPull {
 
 /// Weighted mean of squared distances of a scan's points from their faces, mm^2, with the
 /// parameters of the matches held (docs/fitting.md). However many points, a face keeps only the
-/// moments of them that its least squares need.
+/// moments of them that its least squares need. Pillar feet, whose Gregory terms have none, are
+/// left to their neighbours.
 class ScanTerm : public model::NetTerm {
  public:
   ScanTerm(const model::BodyPlan& plan, model::Stage stage, model::Isa isa = model::best_isa());
@@ -52,6 +53,7 @@ class ScanTerm : public model::NetTerm {
   const model::Kernels* kernels_;
   std::vector<FaceSquares> faces_;  // those with points
   Eigen::Index rows_ = 0, columns_ = 0;
+  Eigen::VectorXd product_;  // H x of the face in hand
   bool factorized_ = false;
 };
 

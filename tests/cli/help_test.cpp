@@ -43,6 +43,10 @@ TEST_F(Help, OfEveryCommandShowsAnExampleThatStartsWithIt) {
 // The line after "Example:" is a command line that works.
 TEST_F(Help, ExamplesWork) {
   std::filesystem::copy(std::filesystem::path(car("model1")).parent_path(), file("cars"));
+  // What fit and deviation take comes from scan, and fitted.toml from the user.
+  std::filesystem::copy(car("model1"), file("fitted.toml"));
+  testing::run_in(file("."),
+                  {"sh", "-c", "bodyline scan cars/model1.toml -o scan.ply --points 20000"});
   for (const std::string& command : commands()) {
     const std::string help = bodyline({command, "--help"}).out;
     const std::size_t begin = help.find("Example:\n") + 9;
