@@ -58,7 +58,9 @@ std::string deviation_table(const optimize::Deviation& deviation) {
         fmt::format("{:+.2f}", face->mean), face->distances);
   }
   row("all", deviation.matches.size(), "", "", deviation.distances);
-  return text + "Distances in mm, outliers too; the mean is positive where the scan lies outside of the body.\n";
+  return text +
+         "Distances in mm, outliers too; the mean is positive where the scan lies outside of the "
+         "body.\n";
 }
 
 }  // namespace bodyline::cli
