@@ -72,7 +72,8 @@ bool OuterTest::crossed(const Vector2d& a, const Vector2d& b, const Place& place
   return false;
 }
 
-bool OuterTest::opens(const Vector2d& point, const Vector2d& direction, const Place& place) const {
+bool OuterTest::leads_out(const Vector2d& point, const Vector2d& direction,
+                          const Place& place) const {
   const Vector2d from = point + begin * mask_.cell() * direction;
   for (const double end : ends) {
     const Vector2d to = point + end * mask_.cell() * direction;
@@ -81,17 +82,19 @@ bool OuterTest::opens(const Vector2d& point, const Vector2d& direction, const Pl
   return false;
 }
 
+bool OuterTest::opens(const Vector2d& point, const Vector2d& side, const Place& place) const {
+  const Vector2d along(-side.y(), side.x());
+  for (const double turn : turns_deg) {
+    const double angle = turn * std::numbers::pi / 180.0;
+    if (leads_out(point, std::cos(angle) * side + std::sin(angle) * along, place)) return true;
+  }
+  return false;
+}
+
 std::optional<Vector2d> OuterTest::outwards(const Vector2d& point, const Vector2d& normal,
                                             const Place& place) const {
-  for (const double sign : {1.0, -1.0}) {
-    const Vector2d out = sign * normal;
-    for (const double turn : turns_deg) {
-      const double angle = turn * std::numbers::pi / 180.0;
-      const Vector2d direction =
-          std::cos(angle) * out + std::sin(angle) * Vector2d(-out.y(), out.x());
-      if (opens(point, direction, place)) return out;
-    }
-  }
+  if (opens(point, normal, place)) return normal;
+  if (opens(point, -normal, place)) return -normal;
   return std::nullopt;
 }
 

@@ -21,6 +21,9 @@ class OuterTest {
     int first = 0, last = 0;
   };
 
+  /// Whether the open is next to a place on the side of the line to which a unit vector points.
+  bool opens(const Eigen::Vector2d& point, const Eigen::Vector2d& side, const Place& place) const;
+
   /// The unit vector, `normal` or its opposite, that points from a place into the open; none when
   /// the place is hidden. `normal` is square to the line.
   std::optional<Eigen::Vector2d> outwards(const Eigen::Vector2d& point,
@@ -31,8 +34,8 @@ class OuterTest {
     Eigen::Vector2d a, b;
     int line, index;  // from the line's point of this index to the next
   };
-  bool opens(const Eigen::Vector2d& point, const Eigen::Vector2d& direction,
-             const Place& place) const;
+  bool leads_out(const Eigen::Vector2d& point, const Eigen::Vector2d& direction,
+                 const Place& place) const;
   bool crossed(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Place& place) const;
   Eigen::Array2i bin_of(const Eigen::Vector2d& point) const;
 
