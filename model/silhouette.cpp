@@ -1,9 +1,9 @@
 #include "model/silhouette.hpp"
 
 #include "model/build.hpp"
+#include "model/net_surface.hpp"
 #include "model/outer_test.hpp"
 #include "model/silhouette_outline.hpp"
-#include "model/stage_surfaces.hpp"
 
 namespace bodyline::model {
 namespace {
@@ -159,7 +159,7 @@ void Cutter::cut(int line) {
 }  // namespace
 
 SilhouetteBody silhouette_body(const BodyPlan& plan, Stage stage, const double* nets) {
-  return {stage_surfaces(plan, stage, nets), stage_edges(plan, stage)};
+  return {net_surfaces(plan, stage, nets), stage_edges(plan, stage)};
 }
 
 SilhouetteBody silhouette_body(const Model& model, Stage stage) {

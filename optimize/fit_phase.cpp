@@ -40,6 +40,7 @@ FitPhase::FitPhase(const model::Model& model, const std::vector<FitTargetMaker>&
                    FitPhaseOptions options)
     : state_(std::make_unique<State>(model, targets, std::move(options))) {}
 FitPhase::~FitPhase() = default;
+FitPhase::FitPhase(FitPhase&&) noexcept = default;
 
 FitPhase::Outcome FitPhase::run(const FitRound& round) {
   State& s = *state_;
@@ -68,6 +69,17 @@ FitPhase::Outcome FitPhase::run(const FitRound& round) {
   const Result found = minimize(problem, s.x, search);
   s.x = found.x;
   return {s.targets.empty() ? 0.0 : s.targets.front()->distance(), found.status};
+}
+
+double FitPhase::misfit(const FitRound& round) {
+  State& s = *state_;
+  s.builder.build(s.variables.expand(s.x));
+  double sum = 0.0;
+  for (const std::unique_ptr<FitTarget>& target : s.targets) {
+    target->match(s.builder.nets(), round);
+    sum += target->misfit();
+  }
+  return sum;
 }
 
 model::Model FitPhase::model() const {

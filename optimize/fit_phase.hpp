@@ -29,12 +29,16 @@ class FitPhase {
   FitPhase(const model::Model& model, const std::vector<FitTargetMaker>& targets,
            FitPhaseOptions options);
   ~FitPhase();
+  FitPhase(FitPhase&&) noexcept;
 
   struct Outcome {
     double distance = 0.0;  ///< of the first target before the round, mm
     Status status = Status::failed;
   };
   Outcome run(const FitRound& round);
+
+  /// Matches the body as it is now; the misfits of all targets together, mm.
+  double misfit(const FitRound& round);
 
   /// The model as it is now.
   model::Model model() const;

@@ -24,6 +24,8 @@ struct FitProgress {
 /// mean squared distance, mm^2.
 struct FitOptions {
   std::size_t coarse_points = 15000, fine_points = 60000;  ///< of the scan, while searching
+  /// Moves of the start body, mm. All are tried, by warp and by curves; the closest goes on.
+  std::vector<Eigen::Vector3d> starts{{0, 0, 0}, {100, 0, 0}, {-100, 0, 0}, {0, 0, -80}};
   int warp_rounds = 15, curve_rounds = 15, body_rounds = 20;
   int unfold_rounds = 6;    ///< most, with ever stronger barriers while a face folds
   double far = 250.0;       ///< distance off the surface that counts a quarter at first, mm,
@@ -34,8 +36,9 @@ struct FitOptions {
   double stay = 3e-5;       ///< weight of the mean squared move of the base nets in a round
   double rims = 0.05;       ///< weight of all rims together, as a share of the scan's points
   model::VariableBounds bounds;
-  std::function<void(const FitProgress&)> on_progress;  ///< may be empty
-  std::function<bool()> should_stop;  ///< polled between rounds and at evaluations; may be empty
+  std::function<void(const FitProgress&)> on_progress;  ///< of one start; may be empty
+  /// Polled between rounds and at evaluations, from several threads; may be empty.
+  std::function<bool()> should_stop;
 };
 
 struct FitResult {

@@ -14,6 +14,7 @@ namespace {
 
 using Outlines = std::vector<OutlineSamples>;
 
+constexpr double heeded_share = 0.9;
 constexpr double coarse_spacing = 20.0, fine_spacing = 10.0;  // mm
 
 class OutlineFitTarget : public FitTarget {
@@ -30,6 +31,7 @@ class OutlineFitTarget : public FitTarget {
   model::WeightedNetTerm term() const override { return {term_, weight_}; }
   std::string name() const override { return "outlines"; }
   double distance() const override { return distance_; }
+  double misfit() const override { return misfit_; }
 
  private:
   const model::BodyPlan* plan_;
@@ -37,7 +39,7 @@ class OutlineFitTarget : public FitTarget {
   std::shared_ptr<const Outlines> outlines_;
   double weight_;
   std::shared_ptr<ScanTerm> term_;
-  double distance_ = 0.0;
+  double distance_ = 0.0, misfit_ = 0.0;
 };
 
 void OutlineFitTarget::match(const double* nets, const FitRound& round) {
@@ -56,6 +58,7 @@ void OutlineFitTarget::match(const double* nets, const FitRound& round) {
     all.pulls.insert(all.pulls.end(), one.pulls.begin(), one.pulls.end());
     for (const double distance : one.distances) all.distances.push_back(std::abs(distance));
   }
+  misfit_ = trimmed_rms(all.distances, heeded_share);
   distance_ = quantile(std::move(all.distances), 0.5);
   term_->set(all.matches, all.pulls);
 }

@@ -12,6 +12,8 @@
 namespace bodyline::optimize {
 namespace {
 
+constexpr double heeded_share = 0.9;
+
 class ScanFitTarget : public FitTarget {
  public:
   ScanFitTarget(const model::BodyPlan& plan, model::Stage stage,
@@ -26,6 +28,7 @@ class ScanFitTarget : public FitTarget {
   model::WeightedNetTerm term() const override { return {term_, 1.0}; }
   std::string name() const override { return "scan"; }
   double distance() const override { return distance_; }
+  double misfit() const override { return misfit_; }
 
  private:
   std::shared_ptr<const model::Scan> scan_;
@@ -33,13 +36,14 @@ class ScanFitTarget : public FitTarget {
   RimPuller puller_;
   std::vector<std::array<bool, 4>> rims_;
   std::shared_ptr<ScanTerm> term_;
-  double distance_ = 0.0;
+  double distance_ = 0.0, misfit_ = 0.0;
 };
 
 void ScanFitTarget::match(const double* nets, const FitRound& round) {
   std::vector<Match> matches = matcher_.match(nets);
   std::vector<double> distances;
   for (const Match& match : matches) distances.push_back(std::abs(match.distance));
+  misfit_ = trimmed_rms(distances, heeded_share);
   distance_ = quantile(std::move(distances), 0.5);
   std::vector<MatchPull> pulls = robust_pulls(matches, *scan_, rims_, round.reach);
   puller_.append(nets, round.reach.rim, round.rims * double(scan_->points.size()), matches, pulls);
