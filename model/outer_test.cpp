@@ -91,6 +91,11 @@ bool OuterTest::opens(const Vector2d& point, const Vector2d& side, const Place& 
   return false;
 }
 
+bool OuterTest::clear(const Vector2d& point, const Vector2d& direction, double length,
+                      const Place& place) const {
+  return !crossed(point + begin * mask_.cell() * direction, point + length * direction, place);
+}
+
 std::optional<Vector2d> OuterTest::outwards(const Vector2d& point, const Vector2d& normal,
                                             const Place& place) const {
   if (opens(point, normal, place)) return normal;

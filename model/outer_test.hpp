@@ -29,6 +29,10 @@ class OuterTest {
   std::optional<Eigen::Vector2d> outwards(const Eigen::Vector2d& point,
                                           const Eigen::Vector2d& normal, const Place& place) const;
 
+  /// Whether no line is met on the way straight from a place, `length` long.
+  bool clear(const Eigen::Vector2d& point, const Eigen::Vector2d& direction, double length,
+             const Place& place) const;
+
  private:
   struct Segment {
     Eigen::Vector2d a, b;

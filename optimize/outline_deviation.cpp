@@ -34,12 +34,10 @@ std::vector<OutlineDeviation> measure_outlines(const model::Model& model,
     const auto pieces = model::silhouette(body, samples.view, tracing);
     OutlineDeviation result;
     result.view = drawing.view;
-    result.distances =
-        match_outline(body, pieces, samples, {{1.0, 1.0}, true, false}).distances;
+    result.distances = match_outline(body, pieces, samples, {{1.0, 1.0}, true, false}).distances;
     result.points = as_drawn(samples);
-    const auto drawn = drawing.view == samples.view
-                           ? pieces
-                           : model::silhouette(body, drawing.view, tracing);
+    const auto drawn =
+        drawing.view == samples.view ? pieces : model::silhouette(body, drawing.view, tracing);
     result.silhouette = model::silhouette_outline(drawn, drawing.view);
     std::vector<double> lengths;
     for (const double distance : result.distances) lengths.push_back(std::abs(distance));

@@ -11,6 +11,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double outside_reach = 250.0;  // mm
+
 double geman_mcclure(double distance, double reach) {
   const double q = distance / reach, root = 1.0 / (1.0 + q * q);
   return root * root;
@@ -49,7 +51,11 @@ class OutlineMatcher {
   void pull_from_drawing();
   void pull_from_body();
   void add(const model::SilhouetteCurve& piece, const model::SilhouettePoint& at,
-           const Vector2d& target, double weight, bool along_too);
+           const Vector2d& target, double weight, double reach, bool along_too);
+  double reach_of(const model::SilhouetteCurve& piece) const {
+    return piece.kind == model::SilhouetteKind::contour ? matching_.reach.normal
+                                                        : matching_.reach.rim;
+  }
   Vector3d lifted(const Vector2d& picture) const {
     return picture.x() * axes_.right + picture.y() * axes_.up;
   }
@@ -63,11 +69,11 @@ class OutlineMatcher {
 };
 
 void OutlineMatcher::add(const model::SilhouetteCurve& piece, const model::SilhouettePoint& at,
-                         const Vector2d& target, double weight, bool along_too) {
+                         const Vector2d& target, double weight, double reach, bool along_too) {
   const Vector2d offset = target - at.picture;
   const double off = offset.dot(at.normal), along = (offset - off * at.normal).norm();
   const bool rim = piece.kind != model::SilhouetteKind::contour;
-  weight *= geman_mcclure(offset.norm(), rim ? matching_.reach.rim : matching_.reach.normal);
+  weight *= geman_mcclure(offset.norm(), reach);
   Match match;
   match.face = piece.face;
   match.u = at.u;
@@ -104,7 +110,8 @@ void OutlineMatcher::pull_from_drawing() {
       }
     }
     cosine = std::max(cosine, 0.0);
-    add(pieces_[foot.piece], foot.point, point, samples_.spacing * cosine * cosine, true);
+    add(pieces_[foot.piece], foot.point, point, samples_.spacing * cosine * cosine,
+        reach_of(pieces_[foot.piece]), true);
     result_.distances.push_back(result_.matches.back().distance);
   }
 }
@@ -117,7 +124,11 @@ void OutlineMatcher::pull_from_body() {
       const model::SilhouettePoint& at = piece.points[k];
       const OutlineFoot foot = tree.nearest(at.picture, at.normal);
       const double cosine = std::max(foot.cosine, 0.0);
-      if (!foot.beyond) add(piece, at, foot.point, length_at(piece, k) * cosine * cosine, false);
+      if (foot.beyond) continue;
+      // What is drawn may show more than a body (wheels, mirrors), but not less.
+      double reach = reach_of(piece);
+      if (foot.outside > 0.0) reach = std::max(reach, outside_reach);
+      add(piece, at, foot.point, length_at(piece, k) * cosine * cosine, reach, false);
     }
   }
 }

@@ -13,8 +13,9 @@ namespace {
 using Eigen::Vector2d;
 using model::View;
 
-constexpr int mask_cells = 1500;  // along the longer side of a drawing
-constexpr double finer = 0.25;    // of the spacing, while lengths are measured
+constexpr int mask_cells = 1500;      // along the longer side of a drawing
+constexpr double finer = 0.25;        // of the spacing, while lengths are measured
+constexpr double widest_slot = 50.0;  // mm, of those that a body does not follow
 constexpr double same_point = 1e-6;
 
 struct Line {
@@ -97,7 +98,10 @@ void add_line(const Line& line, int index, const model::OuterTest& test, Outline
     const Vector2d& point = line.points[k];
     const Vector2d normal = normal_at(line, k);
     const model::OuterTest::Place at{index, k, k};
-    const bool right = test.opens(point, normal, at), left = test.opens(point, -normal, at);
+    const auto open = [&](const Vector2d& side) {
+      return test.opens(point, side, at) && test.clear(point, side, widest_slot, at);
+    };
+    const bool right = open(normal), left = open(-normal);
     if (!right && !left) continue;
     const bool mirror = !in_left_half(samples.view, point);
     const Vector2d out = right ? normal : Vector2d(-normal);

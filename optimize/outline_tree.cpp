@@ -44,7 +44,7 @@ OutlineFoot OutlineTree::nearest(const Vector2d& point, const Vector2d& normal) 
   tree_.nearest(outline_key(point, normal), found);
   const int sample = sample_of_[found[0]];
   const Vector2d& from = samples_->points[sample];
-  OutlineFoot foot{from, normal.dot(samples_->normals[sample]), false};
+  OutlineFoot foot{from, normal.dot(samples_->normals[sample]), false, 0.0};
   if (samples_->two_sided[sample]) foot.cosine = std::abs(foot.cosine);
   bool end = false;
   for (const int next : samples_->neighbours[sample]) {
@@ -58,6 +58,7 @@ OutlineFoot OutlineTree::nearest(const Vector2d& point, const Vector2d& normal) 
     if ((between - point).norm() < (foot.point - point).norm()) foot.point = between;
   }
   const Vector2d offset = point - foot.point;
+  if (!samples_->two_sided[sample]) foot.outside = offset.dot(samples_->normals[sample]);
   foot.beyond = end && (offset - offset.dot(normal) * normal).norm() > samples_->spacing;
   return foot;
 }

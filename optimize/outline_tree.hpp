@@ -18,6 +18,9 @@ struct OutlineFoot {
   Eigen::Vector2d point;
   double cosine = 0.0;  ///< between the normals
   bool beyond = false;  ///< the outline ends before it comes so far
+  /// How far the picture's point lies out of the car, mm; 0 where both sides of the outline are
+  /// open.
+  double outside = 0.0;
 };
 
 /// A drawn outline, to be searched for nearest points.
