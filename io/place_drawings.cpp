@@ -69,6 +69,7 @@ PlacedViews place_drawings(const std::vector<ViewDrawing>& views, const PlaceOpt
       const Vector2d at = anchored_point(view.view, model::drawn_box(upright[v]));
       move.translation() = anchor(view.view, options.body) - move.linear() * at;
     }
+    placed.moves.push_back(move * Eigen::Affine2d(turned(view.view, view.nose)));
     placed.drawings.push_back({view.view, moved(std::move(upright[v]), move)});
   }
   placed.scales = std::move(found.scales);

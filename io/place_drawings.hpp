@@ -29,6 +29,7 @@ struct PlaceOptions {
 
 struct PlacedViews {
   std::vector<model::PlacedDrawing> drawings;  ///< in the order given
+  std::vector<Eigen::Affine2d> moves;          ///< from the drawings into the pictures, likewise
   std::vector<double> scales;                  ///< mm per unit, likewise
   Eigen::Vector3d size{0.0, 0.0, 0.0};  ///< length, width and height drawn, mm; 0 where in no view
   std::vector<std::string> notes;       ///< sentences: what was taken for granted, what disagrees
