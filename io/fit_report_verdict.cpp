@@ -25,8 +25,8 @@ std::string tiles(const FitReport& report) {
   std::string html = "<dl class=\"tiles\">\n";
   if (report.scan) html += scan_tiles(report);
   for (const ReportOutline& outline : report.outlines) {
-    html += html_tile("Outline, " + html_escaped(outline.view), mm(outline.median),
-                      "median; 90 % within " + mm(outline.p90));
+    html += html_tile(html_escaped("Outline, " + outline.view), mm(outline.median),
+                      "90 % within " + mm(outline.p90));
   }
   if (report.before) {
     html += html_tile("Faces that fold", std::to_string(report.folded_faces.size()),
