@@ -21,6 +21,12 @@ struct FitEvidence {
   double length_stretch = 1.0;  ///< length over that of the start model
 };
 
+/// Whether a scan is to be taken for a car.
+bool is_a_car(const FitEvidence& evidence);
+
+/// The same of evidence from half of the start model.
+bool is_half_a_car(const FitEvidence& evidence);
+
 /// Refuses a scan that fits a body too badly, or in two directions alike.
 void refuse_by_fit(const FitEvidence& evidence);
 
