@@ -24,6 +24,7 @@ constexpr double clear_evidence = 0.78;
 constexpr double most_doubt = 0.965;
 // Half a car has over 1.1 on half of the start model; what is no car reaches 0.2 to 0.52.
 constexpr double least_half_evidence = 0.8;
+constexpr double half_margin = 0.1;  // half a model is covered more easily than a whole one
 // A half-cylinder fits well when the start model is stretched without limit.
 constexpr double at_limit = 0.99;
 
@@ -35,7 +36,9 @@ void refuse_flat(const Plane& plane) {
 
 void refuse_by_box(const Eigen::Vector3d& extents) {
   if (extents[1] > most_width * extents[0])
-    throw std::invalid_argument("the scan is nearly as wide as it is long, which no car is");
+    throw std::invalid_argument(
+        "the scan is nearly as wide as it is long, which no car is; give its pose if it is a part "
+        "of one");
   if (extents[2] < least_height * extents[0])
     throw std::invalid_argument("the scan is a thin sheet, not a car");
 }
@@ -46,8 +49,14 @@ bool is_a_car(const FitEvidence& evidence) {
          (sum >= clear_evidence || evidence.doubt <= most_doubt);
 }
 
-bool is_half_a_car(const FitEvidence& evidence) {
-  return evidence.fit + evidence.cover >= least_half_evidence && is_a_car(evidence);
+bool is_clearly_a_car(const FitEvidence& evidence) {
+  return is_a_car(evidence) && evidence.fit + evidence.cover >= clear_evidence;
+}
+
+bool is_rather_half_a_car(const FitEvidence& half, const FitEvidence& other) {
+  const double sum = half.fit + half.cover;
+  return is_a_car(half) && sum >= least_half_evidence &&
+         sum > other.fit + other.cover + half_margin;
 }
 
 void refuse_by_fit(const FitEvidence& evidence) {

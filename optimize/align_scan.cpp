@@ -215,16 +215,15 @@ Found found_on(Prepared car, const AlignShape& coarse, const AlignShape& fine) {
   return found;
 }
 
-// Tries halves of the start model where the scan is no whole car.
+// Tries halves of the start model where the scan may be no whole car.
 Found found_placement(const Prepared& car, const AlignShape& coarse, const AlignShape& fine) {
   const Found whole = found_on(car, coarse, fine);
-  if (is_a_car(whole.evidence)) return whole;
+  if (is_clearly_a_car(whole.evidence)) return whole;
   Found best = whole;
   for (const double end : {-1.0, 1.0}) {
     Found half = found_on(car, half_shape(coarse, end), half_shape(fine, end));
     half.result.missing_end = end < 0.0 ? MissingEnd::rear : MissingEnd::front;
-    const bool better = half.result.fit + half.result.cover > best.result.fit + best.result.cover;
-    if (is_half_a_car(half.evidence) && better) best = half;
+    if (is_rather_half_a_car(half.evidence, best.evidence)) best = half;
   }
   if (best.result.missing_end == MissingEnd::none) refuse_by_fit(whole.evidence);
   return best;

@@ -263,7 +263,7 @@ TEST(AlignScan, FindsTheRealCars) {
 TEST(AlignScan, BearsAMissingRearAndNamesIt) {
   if (!have_scan("boxer")) GTEST_SKIP() << "no ../shared/scans here";
   const Scan scan =
-      kept(read_test_scan("boxer"), [](const Vector3d& point) { return point.x() < 2200.0; });
+      kept(read_test_scan("boxer"), [](const Vector3d& point) { return point.x() < 2240.0; });
   const Pose truth = random_pose(5);
   const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
   EXPECT_LT(degrees_off(result, truth), other_car_degrees);
