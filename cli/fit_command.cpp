@@ -33,6 +33,7 @@ struct Request {
   BoundsRequest bounds;
   Output output;
   optimize::FitOptions options;
+  std::string algorithm = optimize::algorithm_name(optimize::FitOptions{}.algorithm);
   ReportRequest report;
   bool json = false;
 };
@@ -97,6 +98,7 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
 
 void run(Context& context, Request& request) {
   const auto begin = std::chrono::steady_clock::now();
+  request.options.algorithm = optimize::algorithm_from_name(request.algorithm);
   check_output(request.output, request.target.path, {".toml"});
   check_report(request.report, request.output.overwrite, request.target.path);
   const model::Model start = request.start.empty()
@@ -149,6 +151,11 @@ void add_fit_command(CLI::App& program, Context& context) {
   add_output(*command, request->output, "Fitted model, .toml");
   add_report_options(*command, request->report);
   add_weights(*command, request->options);
+  command
+      ->add_option("--algorithm", request->algorithm,
+                   "Of the search in each round: nlopt-lbfgs or ceres-lbfgs")
+      ->check(CLI::IsMember({"nlopt-lbfgs", "ceres-lbfgs"}))
+      ->capture_default_str();
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
 }
