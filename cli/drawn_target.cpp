@@ -103,6 +103,21 @@ void move_to_scan(Context& context, const PlacedScan& scan, const model::Model& 
   placed.drawings = optimize::shifted(std::move(placed.drawings), shift);
 }
 
+// A body drawn out from a corner of its box to the sizes that are known.
+model::Model stretched(model::Model body, const Eigen::AlignedBox3d& box,
+                       const Eigen::Vector3d& size) {
+  const Eigen::Vector3d origin(box.min().x(), 0.0, box.min().z());
+  Eigen::Vector3d factors = Eigen::Vector3d::Ones();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (size[axis] > 0.0) factors[axis] = size[axis] / box.sizes()[axis];
+  }
+  for (model::Curve& curve : body.curves) {
+    for (Eigen::Vector3d& point : curve.points)
+      point = origin + factors.cwiseProduct(point - origin);
+  }
+  return body;
+}
+
 std::string size_words(const std::vector<io::ViewFile>& files, const Eigen::Vector3d& size) {
   std::vector<std::string> names, sizes;
   for (const io::ViewFile& file : files) names.push_back(model::view_name(file.view));
@@ -165,6 +180,7 @@ void add_drawn_target(CLI::App& command, DrawnRequest& request) {
 DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bounds& bounds,
                         const model::Model& start, const std::optional<PlacedScan>& scan) {
   DrawnTarget target;
+  target.start = start;
   std::vector<FeatureFile> features;
   for (const std::string& text : request.features) {
     features.push_back(parse_feature(text));
@@ -175,7 +191,9 @@ DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bou
   io::PlacedViews placed;
   if (!request.views.empty()) {
     files = io::parse_views(request.views);
-    placed = place_views(files, place_options(bounds, start, scan));
+    const io::PlaceOptions options = place_options(bounds, start, scan);
+    placed = place_views(files, options);
+    if (!scan) target.start = stretched(start, options.body, placed.size);
     target.words = size_words(files, placed.size);
     for (const std::string& note : placed.notes) target.words += "\n" + note;
   }

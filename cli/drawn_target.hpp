@@ -27,6 +27,8 @@ void add_drawn_target(CLI::App& command, DrawnRequest& request);
 
 /// The same, read and laid into the coordinates of a model.
 struct DrawnTarget {
+  model::Model
+      start;  ///< for the fit: that given, stretched to the drawings unless there is a scan
   std::vector<model::PlacedDrawing> outlines;
   std::vector<optimize::FeatureLine> features;
   std::string words;  ///< what was read and taken for granted, sentences on lines

@@ -39,6 +39,7 @@ struct Request {
   BoundsRequest bounds;
   Output output;
   optimize::FitOptions options;
+  std::string algorithm = optimize::algorithm_name(optimize::FitOptions{}.algorithm);
   ReportRequest report;
   bool json = false;
 
@@ -99,6 +100,7 @@ void print_result(Context& context, const Request& request, const FittedCar& car
 void run(Context& context, Request& request) {
   const auto begin = std::chrono::steady_clock::now();
   check_request(request);
+  request.options.algorithm = optimize::algorithm_from_name(request.algorithm);
   const model::Model start = request.start.empty()
                                  ? io::read_model_text(template_text(), "the template")
                                  : load_model(context, request.start);
@@ -106,7 +108,9 @@ void run(Context& context, Request& request) {
   car.bounds = read_bounds(request.bounds, start);
   if (!request.scan.path.empty()) car.scan = place_scan(context, request.scan, start);
   car.drawn = place_drawn(context, request.drawn, car.bounds, start, car.scan);
-  car.result = fit(context, car, start, request.options);
+  // Outlines say nothing of where curves lie on the surface: the start decides that, not the fit.
+  if (!car.scan) request.options.starts = {Eigen::Vector3d::Zero()};
+  car.result = fit(context, car, car.drawn.start, request.options);
   car.result.model.name = std::filesystem::path(request.output.path).stem().string();
   io::write_model(car.result.model, request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
@@ -154,6 +158,11 @@ void add_fit_command(CLI::App& program, Context& context) {
   add_output(*command, request->output, "Fitted model, .toml");
   add_report_options(*command, request->report);
   add_weights(*command, request->options);
+  command
+      ->add_option("--algorithm", request->algorithm,
+                   "Of the search in each round: nlopt-lbfgs or ceres-lbfgs")
+      ->check(CLI::IsMember({"nlopt-lbfgs", "ceres-lbfgs"}))
+      ->capture_default_str();
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
 }

@@ -63,6 +63,8 @@ FitPhase::Outcome FitPhase::run(const FitRound& round) {
   model::Evaluator evaluator(s.context, s.variables.selected(), objective);
   FitProblem problem(evaluator, s.variables);
   Options search;
+  search.algorithm = s.options.algorithm;
+  if (search.algorithm == Algorithm::ceres_lm) problem.use_residuals();
   search.max_evaluations = s.options.evaluations;
   search.relative_improvement = 1e-4;  // the next round asks for something else
   search.should_stop = s.options.should_stop;

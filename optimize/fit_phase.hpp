@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/evaluator.hpp"
+#include "optimize/algorithm.hpp"
 #include "optimize/fit_target.hpp"
 #include "optimize/fit_variables.hpp"
 #include "optimize/status.hpp"
@@ -19,6 +20,7 @@ struct FitPhaseOptions {
   model::VariableBounds bounds;
   double bending = 0.0, stay = 0.0;  ///< weights against squared mm, see FitOptions
   int evaluations = 100;             ///< most of a round
+  Algorithm algorithm = Algorithm::nlopt_lbfgs;
   std::function<bool()> should_stop;
 };
 

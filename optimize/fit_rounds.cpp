@@ -43,6 +43,7 @@ FitPhase FitRounds::phase(model::Stage stage, std::vector<std::string> vary, dou
   phase.bending = bending;
   phase.stay = options_->stay;
   phase.evaluations = evaluations;
+  phase.algorithm = options_->algorithm;
   phase.should_stop = options_->should_stop;
   return FitPhase(model_, *targets_, phase);
 }
