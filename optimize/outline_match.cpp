@@ -117,7 +117,8 @@ void OutlineMatcher::pull_from_body() {
       const model::SilhouettePoint& at = piece.points[k];
       const OutlineFoot foot = tree.nearest(at.picture, at.normal);
       const double cosine = std::max(foot.cosine, 0.0);
-      if (foot.beyond) continue;
+      // A line that is open on both sides does not tell which part of the body it shows.
+      if (foot.beyond || foot.two_sided) continue;
       // What is drawn may show more than a body (wheels, mirrors), but not less.
       double reach = reach_of(piece);
       if (foot.outside > 0.0) reach = std::max(reach, outside_reach);

@@ -58,7 +58,7 @@ TEST(OutlineFit, MeetsAllOutlinesOfAnotherCarWithAFairBody) {
     const auto before = measure_outlines(start, drawings, stage);
     const auto after = measure_outlines(result.model, drawings, stage);
     for (std::size_t k = 0; k < after.size(); ++k) {
-      EXPECT_GT(before[k].median, 10.0);
+      EXPECT_GT(before[k].median, 3.0 * met);
       EXPECT_LE(after[k].median, met) << model::view_name(after[k].view);
     }
   }

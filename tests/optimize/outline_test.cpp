@@ -21,6 +21,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using model::View;
 
+constexpr double corner = 0.1;    // mm aslant that are none of a chord of 2 mm
 constexpr double endless = 1e12;  // mm: every point counts in full
 
 std::vector<Vector2d> circle(const Vector2d& middle, double radius, int count = 200) {
@@ -207,67 +208,74 @@ INSTANTIATE_TEST_SUITE_P(Views, OutlineDerivative,
                                   model::view_name(i.param.view);
                          });
 
+// The distance of one of the drawing's points along the normal of the silhouette.
+double off(const OutlinePulls& found, std::size_t k) {
+  return (found.pulls[k].target - found.matches[k].foot).dot(found.matches[k].normal);
+}
+
+// How far the foot of a point is from being one: what the picture shows of the offset is to be
+// along the normal, not aslant from a corner.
+double aslant(const OutlinePulls& found, std::size_t k, View view) {
+  const Vector2d offset = model::project(view, found.pulls[k].target - found.matches[k].foot);
+  const Vector2d normal = model::project(view, found.matches[k].normal);
+  return (offset - offset.dot(normal) * normal).norm();
+}
+
 TEST_P(OutlineDerivative, IsThatOfTheRetracedSilhouette) {
-  // Of what the drawing's points keep of their weights, so that only distances change.
   const auto [stage, view] = GetParam();
   Retraced car("template", stage);
   const OutlineSamples samples =
       outline_samples(traced_outlines(outline_test_car("model2"), {view}).front(), 25.0);
   const VectorXd start = car.evaluator().start();
-  const OutlinePulls held = car.match(start, samples);
-  std::vector<double> weights;
-  for (const MatchPull& pull : held.pulls) weights.push_back(pull.weight.trace());
-  ScanTerm term(car.plan(), stage);
-  term.set(held.matches, held.pulls);
-  std::vector<double> bar(3 * std::size_t(car.plan().point_count), 0.0);
-  term.value(car.evaluator().nets(), 1.0, bar.data());
-  VectorXd gradient(start.size());
-  car.evaluator().build_pullback(bar, gradient);
-
-  // A face with a Gregory term is left out by the term; the distances must leave it out too.
   const auto& faces = car.plan().faces(stage);
-  std::vector<char> counts;
-  double total = 0.0;
-  for (std::size_t k = 0; k < held.matches.size(); ++k) {
-    counts.push_back(faces[held.matches[k].face].blend < 0);
-    if (counts.back()) total += weights[k];
-  }
-  // By sample, the square of the distance along the normal of the silhouette.
-  const auto squares = [&](const VectorXd& x) {
-    const OutlinePulls found = car.match(x, samples);
-    std::vector<double> result;
-    for (std::size_t k = 0; k < found.matches.size(); ++k) {
-      const double off =
-          (found.pulls[k].target - found.matches[k].foot).dot(found.matches[k].normal);
-      result.push_back(off * off);
-    }
-    return result;
-  };
   int checked = 0;
   for (const std::string name :
        {"curve.windshield__roof[1].z", "curve.windshield__roof[1].x", "curve.door_bottom[2].z",
         "curve.roof__side_window[2].y", "curve.grille__hood[1].x", "curve.trunk_lid__tail[1].z",
         "curve.front_arch_top[1].z", "curve.door_upper__door_lower[3].y", "shape.hood.u[1]",
         "shape.door_lower.v[1]", "cut.hood.u_hi", "fullness.hood__windshield.b"}) {
-    const int k = car.variable(name);
-    if (std::abs(gradient[k]) < 1e-3) continue;  // this view or stage does not show it
+    const int variable = car.variable(name);
     const double step = name.starts_with("curve") ? 1e-2 : 1e-4;
     VectorXd x = start;
-    x[k] = start[k] + step;
-    const auto above = squares(x);
-    x[k] = start[k] - step;
-    const auto below = squares(x);
-    double slope = 0.0, bulk = 0.0;
-    for (std::size_t s = 0; s < above.size(); ++s) {
-      if (!counts[s]) continue;
-      const double change = weights[s] / total * (above[s] - below[s]) / (2.0 * step);
-      // A point that jumps to another part of the silhouette says nothing of a derivative.
-      if (std::abs(std::sqrt(above[s]) - std::sqrt(below[s])) > 50.0 * step) continue;
+    x[variable] = start[variable] + step;
+    const OutlinePulls above = car.match(x, samples);
+    x[variable] = start[variable] - step;
+    const OutlinePulls below = car.match(x, samples);
+    OutlinePulls held = car.match(start, samples);
+    // A point that jumps to another part of the silhouette says nothing of a derivative, nor does
+    // one at a corner, where two parts meet; the term leaves out faces with Gregory terms.
+    double slope = 0.0, bulk = 0.0, total = 0.0;
+    std::size_t steady = 0;
+    for (std::size_t k = 0; k < held.matches.size(); ++k) {
+      const Match &now = held.matches[k], &up = above.matches[k], &down = below.matches[k];
+      const auto near = [&](const Match& other) {
+        return other.face == now.face &&
+               std::abs(other.u - now.u) + std::abs(other.v - now.v) < 0.02;
+      };
+      const bool counts =
+          near(up) && near(down) && aslant(held, k, view) < corner && faces[now.face].blend < 0;
+      if (!counts) held.pulls[k].weight.setZero();
+      if (!counts) continue;
+      ++steady;
+      const double weight = held.pulls[k].weight.trace();
+      total += weight;
+      const double change =
+          weight * (off(above, k) * off(above, k) - off(below, k) * off(below, k)) / (2.0 * step);
       slope += change;
       bulk += std::abs(change);
     }
+    ScanTerm term(car.plan(), stage);
+    term.set(held.matches, held.pulls);
+    std::vector<double> bar(3 * std::size_t(car.plan().point_count), 0.0);
+    term.value(car.evaluator().nets(), 1.0, bar.data());
+    VectorXd gradient(start.size());
+    car.evaluator().build_pullback(bar, gradient);
+    if (bulk / total < 1e-3) continue;  // this view or stage does not show it
     ++checked;
-    EXPECT_NEAR(slope, gradient[k], 2e-3 * bulk + 1e-6) << name;
+    // The template's arches lie elsewhere than model 2's: a tenth of the points is nearest to
+    // corners.
+    EXPECT_GT(double(steady), 0.8 * double(held.matches.size())) << name;
+    EXPECT_NEAR(slope / total, gradient[variable], 2e-3 * bulk / total) << name;
   }
   EXPECT_GE(checked, 3);
 }
