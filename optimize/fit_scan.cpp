@@ -35,7 +35,6 @@ FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Mode
   if (options.starts.empty()) throw std::invalid_argument("a fit needs a start");
   const auto begin = FitRounds::Clock::now();
   std::vector<FitRounds> all = approaches(targets, start, options, begin);
-  for (auto& a : all) fprintf(stderr, "misfit %f\n", a.misfit());
   FitRounds& best = *std::min_element(
       all.begin(), all.end(),
       [](const FitRounds& a, const FitRounds& b) { return a.misfit() < b.misfit(); });
