@@ -105,7 +105,7 @@ TEST(MergeSides, EqualAnglesGoToThePairWithTheShortest) {
     along[k] = {std::cos(k * 0.4 * std::numbers::pi), std::sin(k * 0.4 * std::numbers::pi)};
   Eigen::Matrix2d last;
   last << along[3], along[4];
-  std::array<double, 5> length{80.0, 75.0, 50.0, 0.0, 0.0};
+  std::array<double, 5> length{60.0, 80.0, 50.0, 0.0, 0.0};
   const Eigen::Vector2d rest =
       -last.inverse() * (length[0] * along[0] + length[1] * along[1] + length[2] * along[2]);
   length[3] = rest[0], length[4] = rest[1];
