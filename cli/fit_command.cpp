@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/bounds_options.hpp"
 #include "cli/deviation_text.hpp"
 #include "cli/fit_report.hpp"
 #include "cli/interrupt.hpp"
@@ -21,6 +22,7 @@
 #include "io/write_model.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
+#include "optimize/scan_fit_target.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -28,14 +30,16 @@ namespace {
 struct Request {
   std::string start;
   ScanTarget target;
+  BoundsRequest bounds;
   Output output;
   optimize::FitOptions options;
+  std::string algorithm = optimize::algorithm_name(optimize::FitOptions{}.algorithm);
   ReportRequest report;
   bool json = false;
 };
 
-optimize::FitResult fit(Context& context, const PlacedScan& placed, const model::Model& start,
-                        optimize::FitOptions options) {
+optimize::FitResult fit(Context& context, const PlacedScan& placed, const Bounds& bounds,
+                        const model::Model& start, optimize::FitOptions options) {
   const Interrupt interrupt;
   Progress progress(context, "fitting");
   options.should_stop = [&] { return interrupt.requested(); };
@@ -43,12 +47,28 @@ optimize::FitResult fit(Context& context, const PlacedScan& placed, const model:
     progress.update(-1.0, fmt::format("{} {} of {}, median distance {:.2f} mm", step.phase,
                                       step.round, step.rounds, step.distance));
   };
-  return optimize::fit_scan(placed.scan, placed.pose, start, options);
+  std::vector<optimize::FitTargetMaker> targets{optimize::scan_fit_target(
+      placed.scan, placed.pose, options.coarse_points, options.fine_points)};
+  if (!bounds.dimensions.empty())
+    targets.push_back(optimize::dimension_target(start, bounds.dimensions));
+  if (!bounds.points.empty()) targets.push_back(optimize::hard_point_target(bounds.points));
+  return optimize::fit_body(targets, start, options);
+}
+
+nlohmann::ordered_json rounds_json(const optimize::FitResult& result) {
+  nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
+  for (const optimize::FitProgress& round : result.history)
+    rounds.push_back({{"phase", round.phase},
+                      {"round", round.round},
+                      {"median_mm", round.distance},
+                      {"seconds", round.seconds}});
+  return rounds;
 }
 
 void print_result(Context& context, const Request& request, const PlacedScan& placed,
-                  const optimize::FitResult& result, const optimize::Deviation& deviation,
-                  double seconds) {
+                  const Bounds& bounds, const optimize::FitResult& result,
+                  const optimize::Deviation& deviation, double seconds) {
+  const BoundsKept kept = measure_bounds(bounds, result.model);
   if (request.json) {
     print_json(context, {{"status", optimize::status_words(result.status)},
                          {"scan", placed.words},
@@ -56,7 +76,10 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
                          {"distance_mm", distances_json(deviation.distances)},
                          {"unseen_patches", deviation.unseen_patches},
                          {"folded", result.folded_faces},
+                         {"dimensions", dimensions_json(bounds, kept)},
+                         {"hard_points", hard_points_json(bounds, kept)},
                          {"faces", faces_json(deviation)},
+                         {"rounds", rounds_json(result)},
                          {"seconds", seconds}});
     return;
   }
@@ -66,6 +89,7 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
     text += fmt::format("Hardly seen by the scan, held by fairness alone: {}\n",
                         fmt::join(deviation.unseen_patches, ", "));
   }
+  text += bounds_text(bounds, kept);
   for (const std::string& face : result.folded_faces) text += "still folded: " + face + "\n";
   text += fmt::format("{:.1f} s\nfitted model: {}\n", seconds, request.output.path);
   if (request.report.wanted()) text += "report: " + request.report.output.path + "\n";
@@ -74,13 +98,15 @@ void print_result(Context& context, const Request& request, const PlacedScan& pl
 
 void run(Context& context, Request& request) {
   const auto begin = std::chrono::steady_clock::now();
+  request.options.algorithm = optimize::algorithm_from_name(request.algorithm);
   check_output(request.output, request.target.path, {".toml"});
   check_report(request.report, request.output.overwrite, request.target.path);
   const model::Model start = request.start.empty()
                                  ? io::read_model_text(template_text(), "the template")
                                  : load_model(context, request.start);
+  const Bounds bounds = read_bounds(request.bounds, start);
   const PlacedScan placed = place_scan(context, request.target, start);
-  optimize::FitResult result = fit(context, placed, start, request.options);
+  optimize::FitResult result = fit(context, placed, bounds, start, request.options);
   result.model.name = std::filesystem::path(request.output.path).stem().string();
   io::write_model(result.model, request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
@@ -96,7 +122,7 @@ void run(Context& context, Request& request) {
     add_fit(report, start, result);
     write_report(context, report, request.report);
   }
-  print_result(context, request, placed, result, deviation, seconds);
+  print_result(context, request, placed, bounds, result, deviation, seconds);
   if (!result.folded_faces.empty()) context.exit_code = exit_findings;
 }
 
@@ -121,9 +147,15 @@ void add_fit_command(CLI::App& program, Context& context) {
   command->add_option("--start", request->start, "Model to start from; the template when left out")
       ->type_name("MODEL")
       ->check(CLI::ExistingFile);
+  add_bounds_options(*command, request->bounds);
   add_output(*command, request->output, "Fitted model, .toml");
   add_report_options(*command, request->report);
   add_weights(*command, request->options);
+  command
+      ->add_option("--algorithm", request->algorithm,
+                   "Of the search in each round: nlopt-lbfgs or ceres-lbfgs")
+      ->check(CLI::IsMember({"nlopt-lbfgs", "ceres-lbfgs"}))
+      ->capture_default_str();
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "io/read_model.hpp"
@@ -120,7 +121,7 @@ TEST(FitScan, HasTheSameBitsForAnyNumberOfThreads) {
 TEST(FitScan, StopsWhenAskedWithABodyThatCanBeBuilt) {
   const model::Scan scan = simulate_scan(other_car(4), scanner());
   FitOptions options = quick_options();
-  int rounds = 0;
+  std::atomic<int> rounds = 0;
   options.on_progress = [&](const FitProgress&) { ++rounds; };
   options.should_stop = [&] { return rounds >= 3; };
   const FitResult result = fit_scan(scan, {}, start_model(), options);
