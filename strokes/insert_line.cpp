@@ -48,6 +48,31 @@ struct Bend {
   int vertex = -1;
 };
 
+// Whether an edge leads from a spot to a vertex.
+bool is_joined(const Net& net, const Spot& spot, int vertex) {
+  const auto has_end = [&net](int edge, int end) {
+    return net.edges[edge].start == end || net.edges[edge].end == end;
+  };
+  if (spot.edge >= 0) return has_end(spot.edge, vertex);
+  const std::vector<int>& edges = net.vertices[vertex].edges;
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](int edge) { return has_end(edge, spot.vertex); });
+}
+
+// The nearest stop before or behind a break that is not as close to the vertex.
+Spot next_stop(const Net& net, const LineBreaks& breaks, std::size_t at, int step, int vertex) {
+  const auto close = [&](const Spot& spot) {
+    if (spot.edge < 0) return spot.vertex == vertex;
+    const Edge& edge = net.edges[spot.edge];
+    return (edge.start == vertex && spot.t < thin_part) ||
+           (edge.end == vertex && spot.t > 1.0 - thin_part);
+  };
+  std::size_t k = at + static_cast<std::size_t>(step);
+  while (k > 0 && k + 1 < breaks.at.size() && close(breaks.spots[k]))
+    k += static_cast<std::size_t>(step);
+  return breaks.spots[k];
+}
+
 Bend find_bend(const Net& net, const LineBreaks& breaks) {
   for (std::size_t k = 1; k + 1 < breaks.at.size(); ++k) {
     const Spot& spot = breaks.spots[k];
@@ -56,7 +81,11 @@ Bend find_bend(const Net& net, const LineBreaks& breaks) {
     const double to_end = std::min(spot.t, 1.0 - spot.t);
     if (to_end >= thin_part) continue;
     const int vertex = spot.t < 0.5 ? edge.start : edge.end;
-    if (!is_outer(net, net.vertices[vertex])) return {k, vertex};
+    // Bent through a vertex that an edge joins to its last or next stop, it would run along the
+    // edge.
+    const bool along = is_joined(net, next_stop(net, breaks, k, -1, vertex), vertex) ||
+                       is_joined(net, next_stop(net, breaks, k, 1, vertex), vertex);
+    if (!along && !is_outer(net, net.vertices[vertex])) return {k, vertex};
     if (to_end < thinnest_part) throw StrokeRejected(Rejection::sliver);
   }
   return {};

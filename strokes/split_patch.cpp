@@ -20,9 +20,9 @@ std::vector<CycleUse> cycle(const Patch& patch) {
 }
 
 std::size_t position(const Net& net, const std::vector<CycleUse>& uses, int vertex) {
-  std::size_t k = 0;
-  while (first_vertex(net, uses[k].use) != vertex) ++k;
-  return k;
+  for (std::size_t k = 0; k < uses.size(); ++k)
+    if (first_vertex(net, uses[k].use) == vertex) return k;
+  throw StrokeRejected(Rejection::sliver);  // beside a corner that is too thin to be told apart
 }
 
 // The sides met on the way from one vertex to the other; the first and the last may be parts.
