@@ -55,9 +55,9 @@ struct Entry {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list{
-      {{.name = "ge-bezier", .min_degree = 2}, make<GeBezierBasis>},
+      {{.name = "ge-bezier", .min_degree = 2, .joins = false}, make<GeBezierBasis>},
       {{.name = "bezier-like", .min_degree = 2, .shape_per_row = true}, make<BezierLikeBasis>},
-      {{.name = "h-bezier", .min_degree = 3}, make<HBezierBasis>},
+      {{.name = "h-bezier", .min_degree = 3, .polynomial = false}, make<HBezierBasis>},
   };
   return list;
 }

@@ -39,6 +39,10 @@ struct Family {
   /// Each row i = 0..degree_u of a patch has shape parameters of its own along v, else one set
   /// serves all rows.
   bool shape_per_row = false;
+  bool polynomial = true;  ///< its Bezier form is exact
+  /// A derivative of order k at an end depends on the k + 1 control points nearest to it, as the
+  /// join theorems need.
+  bool joins = true;
 };
 
 /// "ge-bezier", "bezier-like" and "h-bezier".
