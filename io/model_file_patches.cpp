@@ -13,7 +13,8 @@ using model::Side;
 
 /// Points of a curve of degree 2 to 9.
 constexpr Count points_of_curve{3, 10};
-constexpr Count shape_values{0, 8};
+/// At most one for each of ten rows.
+constexpr Count shape_values{0, 10};
 /// Largest coordinate in mm; a car that is 1 km long is a mistake in the units.
 constexpr double largest_coordinate = 1e6;
 constexpr double largest_parameter = 1e6;

@@ -11,8 +11,8 @@ namespace {
 
 // d conversion / d shape[k], constant: shape k stands with +-t^(k+1) (1-t)^(n-1-k) in G_(k+1) and
 // its neighbours.
-Eigen::MatrixXd ge_bezier_derivative(int n, int k) {
-  Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(n + 1, n + 1);
+FormMatrix ge_bezier_derivative(int n, int k) {
+  FormMatrix derivative = FormMatrix::Zero(n + 1, n + 1);
   const int j = k + 1;
   const double weight = 1.0 / binomial(n, j);
   if (2 * j <= n) {
@@ -27,13 +27,13 @@ Eigen::MatrixXd ge_bezier_derivative(int n, int k) {
 }
 
 // sum_j (j / n) G_j from the matrix of a basis, or its derivative from that of the matrix.
-Eigen::VectorXd abscissa_of(const Eigen::MatrixXd& conversion) {
-  return conversion.transpose() * Eigen::VectorXd::LinSpaced(conversion.rows(), 0.0, 1.0);
+FormVector abscissa_of(const FormMatrix& conversion) {
+  return conversion.transpose() * FormVector::LinSpaced(conversion.rows(), 0.0, 1.0);
 }
 
 }  // namespace
 
-BasisJet combined(const Eigen::MatrixXd& conversion, const BernsteinJet& bernstein_jet) {
+BasisJet combined(const FormMatrix& conversion, const BernsteinJet& bernstein_jet) {
   BasisJet jet{};
   for (int order = 0; order < 4; ++order) {
     for (Eigen::Index i = 0; i < conversion.rows(); ++i) {
@@ -66,20 +66,20 @@ BasisJet BernsteinBasis::shape_derivative(double, std::span<const double>, int) 
   throw std::invalid_argument("a Bernstein basis has no shape parameters");
 }
 
-Eigen::MatrixXd BernsteinBasis::conversion(std::span<const double> shape) const {
+FormMatrix BernsteinBasis::conversion(std::span<const double> shape) const {
   check_shape_count(shape, 0);
-  return Eigen::MatrixXd::Identity(degree_ + 1, degree_ + 1);
+  return FormMatrix::Identity(degree_ + 1, degree_ + 1);
 }
 
-Eigen::MatrixXd BernsteinBasis::conversion_derivative(std::span<const double>, int) const {
+FormMatrix BernsteinBasis::conversion_derivative(std::span<const double>, int) const {
   throw std::invalid_argument("a Bernstein basis has no shape parameters");
 }
 
-Eigen::VectorXd BernsteinBasis::abscissa(std::span<const double> shape) const {
+FormVector BernsteinBasis::abscissa(std::span<const double> shape) const {
   return abscissa_of(conversion(shape));
 }
 
-Eigen::VectorXd BernsteinBasis::abscissa_derivative(std::span<const double> shape, int k) const {
+FormVector BernsteinBasis::abscissa_derivative(std::span<const double> shape, int k) const {
   return abscissa_of(conversion_derivative(shape, k));
 }
 
@@ -109,24 +109,24 @@ BasisJet GeBezierBasis::shape_derivative(double t, std::span<const double> shape
   return combined(ge_bezier_derivative(degree_, k), bernstein(degree_, t));
 }
 
-Eigen::MatrixXd GeBezierBasis::conversion(std::span<const double> shape) const {
+FormMatrix GeBezierBasis::conversion(std::span<const double> shape) const {
   check_shape_count(shape, shape_count());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Identity(degree_ + 1, degree_ + 1);
+  FormMatrix result = FormMatrix::Identity(degree_ + 1, degree_ + 1);
   for (int k = 0; k < shape_count(); ++k)
     result += (shape[k] - neutral_shape(k)) * ge_bezier_derivative(degree_, k);
   return result;
 }
 
-Eigen::MatrixXd GeBezierBasis::conversion_derivative(std::span<const double> shape, int k) const {
+FormMatrix GeBezierBasis::conversion_derivative(std::span<const double> shape, int k) const {
   check_shape_count(shape, shape_count());
   return ge_bezier_derivative(degree_, k);
 }
 
-Eigen::VectorXd GeBezierBasis::abscissa(std::span<const double> shape) const {
+FormVector GeBezierBasis::abscissa(std::span<const double> shape) const {
   return abscissa_of(conversion(shape));
 }
 
-Eigen::VectorXd GeBezierBasis::abscissa_derivative(std::span<const double> shape, int k) const {
+FormVector GeBezierBasis::abscissa_derivative(std::span<const double> shape, int k) const {
   return abscissa_of(conversion_derivative(shape, k));
 }
 

@@ -16,6 +16,13 @@ namespace bodyline::model {
 /// 0..3.
 using BasisJet = BernsteinJet;
 
+/// Bezier forms of at most this many functions, of at most this many points; they live without
+/// heap.
+inline constexpr int max_form_functions = max_degree + 1, max_form_points = 18;
+using FormMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                 max_form_functions, max_form_points>;
+using FormVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_form_points, 1>;
+
 /// The values of a shape parameter for which every function of the basis is non-negative.
 struct ShapeRange {
   double lower = 0.0, upper = 0.0;
@@ -32,12 +39,12 @@ concept Basis = requires(const B& basis, double t, std::span<const double> shape
   { basis.evaluate(t, shape) } -> std::same_as<BasisJet>;
   { basis.shape_derivative(t, shape, k) } -> std::same_as<BasisJet>;  ///< d evaluate / d shape[k]
   { basis.bezier_degree() } -> std::same_as<int>;  ///< of its exact or approximating Bezier form
-  { basis.conversion(shape) } -> std::same_as<Eigen::MatrixXd>;  ///< G_i = sum_j at(i, j) B_j
-  { basis.conversion_derivative(shape, k) } -> std::same_as<Eigen::MatrixXd>;
+  { basis.conversion(shape) } -> std::same_as<FormMatrix>;  ///< G_i = sum_j at(i, j) B_j
+  { basis.conversion_derivative(shape, k) } -> std::same_as<FormMatrix>;
   /// sum_j (j / degree) G_j: all that a basis does to an SQ-Coons patch (section 3).
   { basis.abscissa_degree() } -> std::same_as<int>;
-  { basis.abscissa(shape) } -> std::same_as<Eigen::VectorXd>;  ///< its Bezier points
-  { basis.abscissa_derivative(shape, k) } -> std::same_as<Eigen::VectorXd>;
+  { basis.abscissa(shape) } -> std::same_as<FormVector>;  ///< its Bezier points
+  { basis.abscissa_derivative(shape, k) } -> std::same_as<FormVector>;
 };
 
 /// Bernstein polynomials: no shape parameters.
@@ -54,11 +61,11 @@ class BernsteinBasis {
   BasisJet evaluate(double t, std::span<const double> shape) const;
   BasisJet shape_derivative(double t, std::span<const double> shape, int k) const;
   int bezier_degree() const { return degree_; }
-  Eigen::MatrixXd conversion(std::span<const double> shape) const;
-  Eigen::MatrixXd conversion_derivative(std::span<const double> shape, int k) const;
+  FormMatrix conversion(std::span<const double> shape) const;
+  FormMatrix conversion_derivative(std::span<const double> shape, int k) const;
   int abscissa_degree() const { return degree_; }
-  Eigen::VectorXd abscissa(std::span<const double> shape) const;
-  Eigen::VectorXd abscissa_derivative(std::span<const double> shape, int k) const;
+  FormVector abscissa(std::span<const double> shape) const;
+  FormVector abscissa_derivative(std::span<const double> shape, int k) const;
 
  private:
   int degree_;
@@ -79,11 +86,11 @@ class GeBezierBasis {
   BasisJet evaluate(double t, std::span<const double> shape) const;
   BasisJet shape_derivative(double t, std::span<const double> shape, int k) const;
   int bezier_degree() const { return degree_; }
-  Eigen::MatrixXd conversion(std::span<const double> shape) const;
-  Eigen::MatrixXd conversion_derivative(std::span<const double> shape, int k) const;
+  FormMatrix conversion(std::span<const double> shape) const;
+  FormMatrix conversion_derivative(std::span<const double> shape, int k) const;
   int abscissa_degree() const { return degree_; }
-  Eigen::VectorXd abscissa(std::span<const double> shape) const;
-  Eigen::VectorXd abscissa_derivative(std::span<const double> shape, int k) const;
+  FormVector abscissa(std::span<const double> shape) const;
+  FormVector abscissa_derivative(std::span<const double> shape, int k) const;
 
  private:
   int degree_;
@@ -92,7 +99,7 @@ class GeBezierBasis {
 static_assert(Basis<BernsteinBasis> && Basis<GeBezierBasis>);
 
 /// Values of the functions of a basis from its Bezier form: G_i = sum_j conversion(i, j) B_j.
-BasisJet combined(const Eigen::MatrixXd& conversion, const BernsteinJet& bernstein_jet);
+BasisJet combined(const FormMatrix& conversion, const BernsteinJet& bernstein_jet);
 
 /// Throws std::invalid_argument when a basis is given the wrong number of shape parameters.
 void check_shape_count(std::span<const double> shape, int count);

@@ -25,8 +25,8 @@ double slope(int n, int i, int r) {
 
 // The Bezier form of degree n + 2 as a matrix, row i: function i at shape 0 times `plain`, plus its
 // slope by the shape times `shape`.
-Eigen::MatrixXd bezier_form(int n, double plain, double shape) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 1, n + 3);
+FormMatrix bezier_form(int n, double plain, double shape) {
+  FormMatrix matrix = FormMatrix::Zero(n + 1, n + 3);
   for (int i = 0; i <= n; ++i) {
     for (int r = 0; r <= 2; ++r) {
       const double q = plain * binomial(n, i) + shape * slope(n, i, r);
@@ -51,21 +51,21 @@ BasisJet BezierLikeBasis::shape_derivative(double t, std::span<const double> sha
   return combined(conversion_derivative(shape, k), bernstein(bezier_degree(), t));
 }
 
-Eigen::MatrixXd BezierLikeBasis::conversion(std::span<const double> shape) const {
+FormMatrix BezierLikeBasis::conversion(std::span<const double> shape) const {
   return bezier_form(degree_, 1.0, checked(shape));
 }
 
-Eigen::MatrixXd BezierLikeBasis::conversion_derivative(std::span<const double> shape, int) const {
+FormMatrix BezierLikeBasis::conversion_derivative(std::span<const double> shape, int) const {
   checked(shape);
   return bezier_form(degree_, 0.0, 1.0);
 }
 
 // t + (2 / n) shape s t (s - t), for every degree.
-Eigen::VectorXd BezierLikeBasis::abscissa(std::span<const double> shape) const {
-  return Eigen::VectorXd::LinSpaced(4, 0.0, 1.0) + checked(shape) * abscissa_derivative(shape, 0);
+FormVector BezierLikeBasis::abscissa(std::span<const double> shape) const {
+  return FormVector::LinSpaced(4, 0.0, 1.0) + checked(shape) * abscissa_derivative(shape, 0);
 }
 
-Eigen::VectorXd BezierLikeBasis::abscissa_derivative(std::span<const double> shape, int) const {
+FormVector BezierLikeBasis::abscissa_derivative(std::span<const double> shape, int) const {
   checked(shape);
   const double move = 2.0 / (3.0 * degree_);
   return Eigen::Vector4d(0.0, move, -move, 0.0);

@@ -24,11 +24,11 @@ class BezierLikeBasis {
   BasisJet evaluate(double t, std::span<const double> shape) const;
   BasisJet shape_derivative(double t, std::span<const double> shape, int k) const;
   int bezier_degree() const { return degree_ + 2; }
-  Eigen::MatrixXd conversion(std::span<const double> shape) const;
-  Eigen::MatrixXd conversion_derivative(std::span<const double> shape, int k) const;
+  FormMatrix conversion(std::span<const double> shape) const;
+  FormMatrix conversion_derivative(std::span<const double> shape, int k) const;
   int abscissa_degree() const { return 3; }
-  Eigen::VectorXd abscissa(std::span<const double> shape) const;
-  Eigen::VectorXd abscissa_derivative(std::span<const double> shape, int k) const;
+  FormVector abscissa(std::span<const double> shape) const;
+  FormVector abscissa_derivative(std::span<const double> shape, int k) const;
 
  private:
   int degree_;

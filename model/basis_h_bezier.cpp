@@ -12,9 +12,6 @@
 namespace bodyline::model {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 void check_shape(std::span<const double> shape, double most) {
   if (shape.size() != 3) {
     throw std::invalid_argument("an H-Bezier basis has 3 shape parameters, not " +
@@ -60,16 +57,16 @@ BasisJet raised_jet_to(BasisJet jet, int degree, double t) {
 }
 
 // Chebyshev's extreme points on [0,1], so that the ends are among them.
-VectorXd fit_nodes(int degree) {
-  VectorXd nodes(degree + 1);
+FormVector fit_nodes(int degree) {
+  FormVector nodes(degree + 1);
   for (int k = 0; k <= degree; ++k)
     nodes[k] = 0.5 * (1.0 - std::cos(std::numbers::pi * k / degree));
   return nodes;
 }
 
-MatrixXd fit_matrix(const VectorXd& nodes) {
+FormMatrix fit_matrix(const FormVector& nodes) {
   const int degree = int(nodes.size()) - 1;
-  MatrixXd values(degree + 1, degree + 1);
+  FormMatrix values(degree + 1, degree + 1);
   for (int k = 0; k <= degree; ++k) {
     const BernsteinJet jet = bernstein(degree, nodes[k]);
     for (int l = 0; l <= degree; ++l) values(k, l) = jet.d[0][l];
@@ -78,23 +75,23 @@ MatrixXd fit_matrix(const VectorXd& nodes) {
 }
 
 // f_(k+1)(t; alpha) - f_(k+1)(t; 0), which vanishes at both ends; at the inner nodes.
-VectorXd excess(int k, double alpha, const VectorXd& nodes) {
-  VectorXd values = VectorXd::Zero(nodes.size());
+FormVector excess(int k, double alpha, const FormVector& nodes) {
+  FormVector values = FormVector::Zero(nodes.size());
   for (Eigen::Index l = 1; l + 1 < nodes.size(); ++l)
     values[l] = function(k, alpha, nodes[l])[0] - function(k, 0.0, nodes[l])[0];
   return values;
 }
 
-VectorXd excess_slope(int k, double alpha, const VectorXd& nodes) {
-  VectorXd values = VectorXd::Zero(nodes.size());
+FormVector excess_slope(int k, double alpha, const FormVector& nodes) {
+  FormVector values = FormVector::Zero(nodes.size());
   for (Eigen::Index l = 1; l + 1 < nodes.size(); ++l)
     values[l] = function_slope(k, alpha, nodes[l])[0];
   return values;
 }
 
 // The cubic Bernstein polynomials as Bezier points of a higher degree, a row each.
-MatrixXd elevated_cubic(int degree) {
-  MatrixXd rows = MatrixXd::Zero(4, degree + 1);
+FormMatrix elevated_cubic(int degree) {
+  FormMatrix rows = FormMatrix::Zero(4, degree + 1);
   for (int i = 0; i <= 3; ++i) {
     for (int l = i; l <= degree - 3 + i; ++l)
       rows(i, l) = binomial(3, i) * binomial(degree - 3, l - i) / binomial(degree, l);
@@ -103,7 +100,7 @@ MatrixXd elevated_cubic(int degree) {
 }
 
 // h_k = f_k - f_(k+1), k = 0..3, with f_0 = 1 and f_4 = 0.
-void add_function(int k, const Eigen::Ref<const VectorXd>& bezier, MatrixXd& rows) {
+void add_function(int k, const FormVector& bezier, FormMatrix& rows) {
   rows.row(k) -= bezier.transpose();
   rows.row(k + 1) += bezier.transpose();
 }
@@ -143,17 +140,17 @@ BasisJet HBezierBasis::shape_derivative(double t, std::span<const double> shape,
 }
 
 // Bezier points of a function that vanishes at both ends.
-VectorXd HBezierBasis::fitted(const VectorXd& values) const {
-  VectorXd points = fit_ * values;
+FormVector HBezierBasis::fitted(const FormVector& values) const {
+  FormVector points = fit_ * values;
   points[0] = points[fit_degree] = 0.0;
   return points;
 }
 
 // Rows of the cubic basis, one degree more for each degree above 3.
-MatrixXd HBezierBasis::raised(MatrixXd rows) const {
+FormMatrix HBezierBasis::raised(FormMatrix rows) const {
   for (int n = 3; n < degree_; ++n) {
     const Eigen::Index points = rows.cols();
-    MatrixXd result = MatrixXd::Zero(rows.rows() + 1, points + 1);
+    FormMatrix result = FormMatrix::Zero(rows.rows() + 1, points + 1);
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
       for (Eigen::Index l = 0; l < points; ++l) {
         result(i, l) += rows(i, l) * double(points - l) / double(points);
@@ -165,29 +162,29 @@ MatrixXd HBezierBasis::raised(MatrixXd rows) const {
   return rows;
 }
 
-MatrixXd HBezierBasis::conversion(std::span<const double> shape) const {
+FormMatrix HBezierBasis::conversion(std::span<const double> shape) const {
   check_shape(shape, max_bezier_alpha);
-  MatrixXd rows = elevated_cubic(fit_degree);
+  FormMatrix rows = elevated_cubic(fit_degree);
   for (int k = 0; k < 3; ++k) add_function(k, fitted(excess(k, shape[k], nodes_)), rows);
   return raised(std::move(rows));
 }
 
-MatrixXd HBezierBasis::conversion_derivative(std::span<const double> shape, int k) const {
+FormMatrix HBezierBasis::conversion_derivative(std::span<const double> shape, int k) const {
   check_shape(shape, max_bezier_alpha);
-  MatrixXd rows = MatrixXd::Zero(4, fit_degree + 1);
+  FormMatrix rows = FormMatrix::Zero(4, fit_degree + 1);
   add_function(k, fitted(excess_slope(k, shape[k], nodes_)), rows);
   return raised(std::move(rows));
 }
 
 // sum_j (j/3) h_j = (f1 + f2 + f3) / 3; the raised basis has 3/n of its distance from t.
-VectorXd HBezierBasis::abscissa(std::span<const double> shape) const {
+FormVector HBezierBasis::abscissa(std::span<const double> shape) const {
   check_shape(shape, max_bezier_alpha);
-  VectorXd points = VectorXd::LinSpaced(fit_degree + 1, 0.0, 1.0);
+  FormVector points = FormVector::LinSpaced(fit_degree + 1, 0.0, 1.0);
   for (int k = 0; k < 3; ++k) points += fitted(excess(k, shape[k], nodes_)) / degree_;
   return points;
 }
 
-VectorXd HBezierBasis::abscissa_derivative(std::span<const double> shape, int k) const {
+FormVector HBezierBasis::abscissa_derivative(std::span<const double> shape, int k) const {
   check_shape(shape, max_bezier_alpha);
   return fitted(excess_slope(k, shape[k], nodes_)) / degree_;
 }

@@ -32,21 +32,21 @@ class HBezierBasis {
   BasisJet evaluate(double t, std::span<const double> shape) const;
   BasisJet shape_derivative(double t, std::span<const double> shape, int k) const;
   int bezier_degree() const { return fit_degree + degree_ - 3; }
-  Eigen::MatrixXd conversion(std::span<const double> shape) const;
-  Eigen::MatrixXd conversion_derivative(std::span<const double> shape, int k) const;
+  FormMatrix conversion(std::span<const double> shape) const;
+  FormMatrix conversion_derivative(std::span<const double> shape, int k) const;
   int abscissa_degree() const { return fit_degree; }
-  Eigen::VectorXd abscissa(std::span<const double> shape) const;
-  Eigen::VectorXd abscissa_derivative(std::span<const double> shape, int k) const;
+  FormVector abscissa(std::span<const double> shape) const;
+  FormVector abscissa_derivative(std::span<const double> shape, int k) const;
 
  private:
   static constexpr int fit_degree = 11;  // of the polynomials that stand for f1, f2 and f3
 
-  Eigen::VectorXd fitted(const Eigen::VectorXd& values) const;
-  Eigen::MatrixXd raised(Eigen::MatrixXd cubic) const;
+  FormVector fitted(const FormVector& values) const;
+  FormMatrix raised(FormMatrix cubic) const;
 
   int degree_;
-  Eigen::VectorXd nodes_;  // the polynomials agree with the functions there
-  Eigen::MatrixXd fit_;    // from values at the nodes to Bezier points
+  FormVector nodes_;  // the polynomials agree with the functions there
+  FormMatrix fit_;    // from values at the nodes to Bezier points
 };
 
 static_assert(Basis<HBezierBasis>);

@@ -6,7 +6,6 @@ namespace bodyline::model {
 namespace {
 
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // one to a row
 
 // Control points of row i.
@@ -32,7 +31,7 @@ Surface bezier_form(const FamilyPatch& patch) {
   check_patch(patch);
   const auto basis_u = family(patch.family, patch.degree_u);
   const auto basis_v = family(patch.family, patch.degree_v);
-  const MatrixXd in_u = basis_u->conversion(patch.shape_u);
+  const FormMatrix in_u = basis_u->conversion(patch.shape_u);
   Surface surface;
   surface.name = patch.name;
   surface.degree_u = basis_u->bezier_degree();
@@ -53,7 +52,7 @@ void bezier_form_pullback(const FamilyPatch& patch, const std::vector<Eigen::Vec
                           FamilyPatchBar& bar) {
   const auto basis_u = family(patch.family, patch.degree_u);
   const auto basis_v = family(patch.family, patch.degree_v);
-  const MatrixXd in_u = basis_u->conversion(patch.shape_u);
+  const FormMatrix in_u = basis_u->conversion(patch.shape_u);
   const int rows = basis_u->bezier_degree() + 1, columns = basis_v->bezier_degree() + 1;
   MatrixXd in_u_bar = MatrixXd::Zero(in_u.rows(), in_u.cols());
   for (int i = 0; i <= patch.degree_u; ++i) {

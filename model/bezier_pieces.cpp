@@ -9,8 +9,6 @@
 namespace bodyline::model {
 namespace {
 
-using Eigen::MatrixXd;
-
 constexpr int span_degree = 5;  // two derivatives at both ends
 constexpr int samples = 7;      // of the error of a span
 constexpr int most_halvings = 60;
@@ -28,8 +26,17 @@ Eigen::Matrix<double, 1, 6> hermite_points(const BasisJet& from, const BasisJet&
   return c;
 }
 
+// Bezier forms of all functions between two parameters.
+FormMatrix bezier_span(const AnyBasis& basis, std::span<const double> shape, double from,
+                       double to) {
+  const BasisJet low = basis.evaluate(from, shape), high = basis.evaluate(to, shape);
+  FormMatrix form(basis.degree() + 1, span_degree + 1);
+  for (int i = 0; i <= basis.degree(); ++i) form.row(i) = hermite_points(low, high, i, to - from);
+  return form;
+}
+
 double span_error(const AnyBasis& basis, std::span<const double> shape, double from, double to) {
-  const MatrixXd form = bezier_span(basis, shape, from, to);
+  const FormMatrix form = bezier_span(basis, shape, from, to);
   double worst = 0.0;
   for (int k = 1; k <= samples; ++k) {
     const double share = double(k) / (samples + 1);
@@ -59,21 +66,9 @@ void halve(const AnyBasis& basis, std::span<const double> shape, double from, do
   halve(basis, shape, middle, to, tolerance, halvings - 1, breaks);
 }
 
-bool is_polynomial(const FamilyPatch& patch) { return find_family(patch.family).polynomial; }
-
-std::vector<MatrixXd> spans(const AnyBasis& basis, std::span<const double> shape, double tolerance,
-                            bool polynomial) {
-  if (polynomial) return {basis.conversion(shape)};
-  const std::vector<double> breaks = bezier_breaks(basis, shape, tolerance);
-  std::vector<MatrixXd> forms;
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-    forms.push_back(bezier_span(basis, shape, breaks[k], breaks[k + 1]));
-  return forms;
-}
-
 // The piece over span a of u and span b of v; forms_v[i][b] is that of row i.
-Surface piece(const FamilyPatch& patch, const MatrixXd& form_u,
-              const std::vector<std::vector<MatrixXd>>& forms_v, std::size_t b) {
+Surface piece(const FamilyPatch& patch, const FormMatrix& form_u,
+              const std::vector<std::vector<FormMatrix>>& forms_v, std::size_t b) {
   Surface surface;
   surface.degree_u = int(form_u.cols()) - 1;
   surface.degree_v = int(forms_v[0][b].cols()) - 1;
@@ -101,11 +96,14 @@ std::vector<double> bezier_breaks(const AnyBasis& basis, std::span<const double>
   return breaks;
 }
 
-MatrixXd bezier_span(const AnyBasis& basis, std::span<const double> shape, double from, double to) {
-  const BasisJet low = basis.evaluate(from, shape), high = basis.evaluate(to, shape);
-  MatrixXd form(basis.degree() + 1, span_degree + 1);
-  for (int i = 0; i <= basis.degree(); ++i) form.row(i) = hermite_points(low, high, i, to - from);
-  return form;
+std::vector<FormMatrix> bezier_spans(const Family& family, const AnyBasis& basis,
+                                     std::span<const double> shape, double tolerance) {
+  if (family.polynomial) return {basis.conversion(shape)};
+  const std::vector<double> breaks = bezier_breaks(basis, shape, tolerance);
+  std::vector<FormMatrix> forms;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    forms.push_back(bezier_span(basis, shape, breaks[k], breaks[k + 1]));
+  return forms;
 }
 
 std::vector<Surface> bezier_pieces(const FamilyPatch& patch, double tolerance_mm, double size_mm) {
@@ -117,13 +115,14 @@ std::vector<Surface> bezier_pieces(const FamilyPatch& patch, double tolerance_mm
   const double tolerance = 0.5 * tolerance_mm / size_mm;
   const auto basis_u = family(patch.family, patch.degree_u);
   const auto basis_v = family(patch.family, patch.degree_v);
-  const bool polynomial = is_polynomial(patch);
-  const std::vector<MatrixXd> forms_u = spans(*basis_u, patch.shape_u, tolerance, polynomial);
-  std::vector<std::vector<MatrixXd>> forms_v;
+  const Family& patch_family = find_family(patch.family);
+  const std::vector<FormMatrix> forms_u =
+      bezier_spans(patch_family, *basis_u, patch.shape_u, tolerance);
+  std::vector<std::vector<FormMatrix>> forms_v;
   for (int i = 0; i <= patch.degree_u; ++i)
-    forms_v.push_back(spans(*basis_v, row_shape(patch, i), tolerance, polynomial));
+    forms_v.push_back(bezier_spans(patch_family, *basis_v, row_shape(patch, i), tolerance));
   std::vector<Surface> pieces;
-  for (const MatrixXd& form_u : forms_u) {
+  for (const FormMatrix& form_u : forms_u) {
     for (std::size_t b = 0; b < forms_v[0].size(); ++b)
       pieces.push_back(piece(patch, form_u, forms_v, b));
   }

@@ -19,9 +19,10 @@ namespace bodyline::model {
 std::vector<double> bezier_breaks(const AnyBasis& basis, std::span<const double> shape,
                                   double tolerance);
 
-/// Bezier forms of all functions on the span from `from` to `to`, as the rows of a matrix.
-Eigen::MatrixXd bezier_span(const AnyBasis& basis, std::span<const double> shape, double from,
-                            double to);
+/// Bezier forms of all functions on each span, as the rows of a matrix; one for a polynomial
+/// family. `tolerance` as above.
+std::vector<FormMatrix> bezier_spans(const Family& family, const AnyBasis& basis,
+                                     std::span<const double> shape, double tolerance);
 
 /// The patch as one face or several, named NAME or NAME.1, NAME.2, ... in the order of u, then v.
 /// `tolerance_mm` bounds the distance at equal parameters; patches that share the shape parameters

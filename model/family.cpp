@@ -25,17 +25,17 @@ class BasisOf final : public AnyBasis {
     return basis_.shape_derivative(t, shape, k);
   }
   int bezier_degree() const override { return basis_.bezier_degree(); }
-  Eigen::MatrixXd conversion(std::span<const double> shape) const override {
+  FormMatrix conversion(std::span<const double> shape) const override {
     return basis_.conversion(shape);
   }
-  Eigen::MatrixXd conversion_derivative(std::span<const double> shape, int k) const override {
+  FormMatrix conversion_derivative(std::span<const double> shape, int k) const override {
     return basis_.conversion_derivative(shape, k);
   }
   int abscissa_degree() const override { return basis_.abscissa_degree(); }
-  Eigen::VectorXd abscissa(std::span<const double> shape) const override {
+  FormVector abscissa(std::span<const double> shape) const override {
     return basis_.abscissa(shape);
   }
-  Eigen::VectorXd abscissa_derivative(std::span<const double> shape, int k) const override {
+  FormVector abscissa_derivative(std::span<const double> shape, int k) const override {
     return basis_.abscissa_derivative(shape, k);
   }
 
@@ -92,6 +92,11 @@ const Family& find_family(const std::string& name) { return find_entry(name).fam
 
 std::unique_ptr<const AnyBasis> family(const std::string& name, int degree) {
   return find_entry(name).make(degree);
+}
+
+int mirrored_shape(const AnyBasis& basis, int k) {
+  const int count = basis.shape_count(), first = k / count * count;
+  return first + basis.mirrored_shape(k - first);
 }
 
 ShapeCounts shape_counts(const std::string& name, int degree_u, int degree_v) {

@@ -25,11 +25,11 @@ class AnyBasis {
   virtual BasisJet evaluate(double t, std::span<const double> shape) const = 0;
   virtual BasisJet shape_derivative(double t, std::span<const double> shape, int k) const = 0;
   virtual int bezier_degree() const = 0;
-  virtual Eigen::MatrixXd conversion(std::span<const double> shape) const = 0;
-  virtual Eigen::MatrixXd conversion_derivative(std::span<const double> shape, int k) const = 0;
+  virtual FormMatrix conversion(std::span<const double> shape) const = 0;
+  virtual FormMatrix conversion_derivative(std::span<const double> shape, int k) const = 0;
   virtual int abscissa_degree() const = 0;
-  virtual Eigen::VectorXd abscissa(std::span<const double> shape) const = 0;
-  virtual Eigen::VectorXd abscissa_derivative(std::span<const double> shape, int k) const = 0;
+  virtual FormVector abscissa(std::span<const double> shape) const = 0;
+  virtual FormVector abscissa_derivative(std::span<const double> shape, int k) const = 0;
 };
 
 /// A family that a patch may name.
@@ -61,5 +61,9 @@ struct ShapeCounts {
   int u = 0, v = 0;
 };
 ShapeCounts shape_counts(const std::string& name, int degree_u, int degree_v);
+
+/// The shape parameter that takes the place of k when a curve is run backwards; k counts through
+/// one set of parameters after the other.
+int mirrored_shape(const AnyBasis& basis, int k);
 
 }  // namespace bodyline::model

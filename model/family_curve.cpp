@@ -1,5 +1,6 @@
 #include "model/family_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -100,19 +101,12 @@ std::vector<std::vector<Eigen::Vector3d>> bezier_pieces(const FamilyCurve& curve
                                                         double tolerance_mm) {
   check_curve(curve);
   const auto basis = family(curve.family, curve.degree());
-  const double size = control_size(curve.points);
-  std::vector<Eigen::MatrixXd> forms;
-  if (find_family(curve.family).polynomial || size == 0.0) {
-    forms.push_back(find_family(curve.family).polynomial
-                        ? basis->conversion(curve.shape)
-                        : bezier_span(*basis, curve.shape, 0.0, 1.0));
-  } else {
-    const std::vector<double> breaks = bezier_breaks(*basis, curve.shape, tolerance_mm / size);
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-      forms.push_back(bezier_span(*basis, curve.shape, breaks[k], breaks[k + 1]));
-  }
+  // A curve that is one point needs no smaller spans than any other.
+  const double size = std::max(control_size(curve.points), tolerance_mm);
+  const std::vector<FormMatrix> forms =
+      bezier_spans(find_family(curve.family), *basis, curve.shape, tolerance_mm / size);
   std::vector<std::vector<Eigen::Vector3d>> pieces;
-  for (const Eigen::MatrixXd& form : forms) {
+  for (const FormMatrix& form : forms) {
     std::vector<Eigen::Vector3d>& piece = pieces.emplace_back(form.cols(), Eigen::Vector3d::Zero());
     for (Eigen::Index l = 0; l < form.cols(); ++l) {
       for (int i = 0; i <= curve.degree(); ++i) piece[l] += form(i, l) * curve.points[i];
