@@ -112,7 +112,7 @@ void run(Context& context, Request& request) {
   if (!request.scan.path.empty()) car.scan = place_scan(context, request.scan, start);
   car.drawn = place_drawn(context, request.drawn, car.bounds, start, car.scan);
   // Outlines say nothing of where curves lie on the surface: the start decides that, not the fit.
-  if (!car.scan) request.options.starts = {Eigen::Vector3d::Zero()};
+  if (!car.scan) request.options.starts = {optimize::FitStart{}};
   car.result = fit(context, car, car.drawn.start, request.options);
   car.result.model.name = std::filesystem::path(request.output.path).stem().string();
   io::write_model(car.result.model, request.output.path,

@@ -42,8 +42,9 @@ class BatchPlanner {
 
   void plan_patches() {
     std::map<std::pair<int, int>, std::vector<const PatchStep*>> groups;
-    for (const PatchStep& patch : plan_.patches)
-      groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
+    for (const PatchStep& patch : plan_.patches) {
+      if (!patch.shaped) groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
+    }
     for (const auto& [degrees, group] : groups) {
       for_each_batch(group, [&](const std::vector<const PatchStep*>& steps, int count) {
         add_patches(steps, count);
@@ -78,13 +79,14 @@ class BatchPlanner {
   }
 
   void plan_sides() {
-    std::map<std::tuple<SideKind, int, bool>, std::vector<JointSide>> groups;
+    std::map<std::tuple<SideKind, int, bool, int>, std::vector<JointSide>> groups;
     for (const JointStep& joint : plan_.joints) {
       for (int which = 0; which < 2; ++which) {
-        const SideKind kind = joint.uncut < 0        ? SideKind::plain
-                              : joint.uncut == which ? SideKind::uncut
-                                                     : SideKind::raised;
-        groups[{kind, joint.degree, joint.leaning[which]}].push_back({&joint, which});
+        const int degree = joint.side[which].walk.count - 1, raise = joint.net_degree - degree;
+        const SideKind kind = joint.uncut == which ? SideKind::uncut
+                              : raise > 0          ? SideKind::raised
+                                                   : SideKind::plain;
+        groups[{kind, degree, joint.leaning[which], raise}].push_back({&joint, which});
       }
     }
     for (const auto& [signature, group] : groups) {
@@ -232,7 +234,8 @@ class BatchPlanner {
     SideBatch batch;
     batch.kind = kind;
     batch.leaning = sides.front().joint->leaning[sides.front().which] && kind != SideKind::uncut;
-    batch.degree = sides.front().joint->degree;
+    batch.degree = sides.front().side().walk.count - 1;
+    batch.raise = sides.front().joint->net_degree - batch.degree;
     batch.lanes = int(sides.size());
     batch.count = count;
     batch.memory = take_memory(sides.size(), memory_numbers<SideMemory<double>>());

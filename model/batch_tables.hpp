@@ -38,8 +38,8 @@ struct WidthTable {
 };
 
 enum class SideKind {
-  plain,   ///< both sides of the joint are cut
-  raised,  ///< the other side is uncut: one degree higher
+  plain,   ///< of the transition's own degree along the joint
+  raised,  ///< of a lower degree: the other side is uncut or of a higher degree
   uncut
 };
 
@@ -48,7 +48,8 @@ struct SideBatch {
   int lanes = 0, count = 0, memory = 0;
   SideKind kind = SideKind::plain;
   bool leaning = false;
-  int degree = 0;
+  int degree = 0;  ///< of the kept edge, along the joint
+  int raise = 0;   ///< how much higher the transition's degree is; at least 1 unless plain
   const int *edge = nullptr, *second = nullptr;  ///< [point][lane]: rows of the kept net
   const int *edge_row = nullptr,
             *handle_row = nullptr;  ///< [lane]: first points of the transition's rows

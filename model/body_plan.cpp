@@ -1,22 +1,33 @@
 #include "model/body_plan.hpp"
 
+#include <algorithm>
+
 #include "model/connect_corners.hpp"
 
 namespace bodyline::model {
 namespace {
 
+// What is built several patches at once.
+constexpr const char* plain_family = "ge-bezier";
+
 PatchStep plan_patch(const Model& model, const BodyPlan& plan, int index) {
   const Patch& patch = model.patches[index];
   PatchStep step;
-  step.degree_u = plan.links.patches[index].degree_u;
-  step.degree_v = plan.links.patches[index].degree_v;
+  const PatchLinks& links = plan.links.patches[index];
+  step.degree_u = links.net_degree_u;
+  step.degree_v = links.net_degree_v;
+  step.curve_degree_u = links.degree_u;
+  step.curve_degree_v = links.degree_v;
+  step.family = patch.basis;
+  step.shaped = patch.basis != plain_family || step.degree_u != step.curve_degree_u ||
+                step.degree_v != step.curve_degree_v;
   step.shape_u = plan.layout.shape_u(index, 0);
   step.shape_v = plan.layout.shape_v(index, 0);
   step.cut = plan.layout.cut(index);
-  std::vector<char> known((step.degree_u + 1) * (step.degree_v + 1), 0);
+  std::vector<char> known((step.curve_degree_u + 1) * (step.curve_degree_v + 1), 0);
   for (Side side : all_sides) {
     const SideCurve& use = patch.sides[static_cast<int>(side)];
-    const SideWalk walk = side_walk(side, step.degree_u, step.degree_v);
+    const SideWalk walk = side_walk(side, step.curve_degree_u, step.curve_degree_v);
     for (int k = 0; k < walk.count; ++k) {
       const int at = walk.start + k * walk.step;
       if (known[at]) continue;
@@ -55,11 +66,13 @@ JointStep plan_joint(const Model& model, const BodyPlan& plan, int index) {
   const Joint& joint = model.joints[index];
   const JointLinks& link = plan.links.joints[index];
   JointStep step;
-  step.degree = link.degree;
   step.uncut = joint.uncut.value_or(-1);
-  step.net_degree = link.degree + (step.uncut >= 0 ? 1 : 0);
   step.side[0] = plan_side(plan, joint.a, false);
   step.side[1] = plan_side(plan, joint.b, link.b_reversed);
+  for (int side = 0; side < 2; ++side) {
+    const int degree = step.side[side].walk.count - 1;
+    step.net_degree = std::max(step.net_degree, side == step.uncut ? degree + 1 : degree);
+  }
   for (int side = 0; side < 2; ++side) {
     step.fullness[side] = plan.layout.fullness(index, side);
     step.lean[side] = plan.layout.lean(index, side, 0);
@@ -81,9 +94,9 @@ SeamStep plan_seam(const Model& model, const BodyPlan& plan, int index) {
   const SeamLinks& link = plan.links.seams[index];
   const bool backwards = link.corner_end == 0;
   SeamStep step;
-  step.degree = link.degree;
   step.a = plan_side(plan, seam.a, backwards);
   step.b = plan_side(plan, seam.b, link.b_reversed != backwards);
+  step.degree = step.a.walk.count - 1;
   return step;
 }
 

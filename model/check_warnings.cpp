@@ -19,7 +19,7 @@ double angle_to_free_edge(const BodyPlan& plan, int joint, int end,
   const std::vector<Vector3d>& kept = body[side.patch].net;
   const std::vector<Vector3d>& whole = base[step.side[1 - step.uncut].patch].net;
   const Surface& transition = body[plan.patches.size() + joint];
-  const int corner = side.walk.start + (end == 0 ? 0 : step.degree * side.walk.step);
+  const int corner = side.walk.start + (end == 0 ? 0 : (side.walk.count - 1) * side.walk.step);
   const int along = corner + (end == 0 ? side.walk.step : -side.walk.step);
   const Vector3d normal =
       (kept[along] - kept[corner]).cross(kept[corner + side.walk.inward] - kept[corner]);

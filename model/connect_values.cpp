@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "model/connect_shapes.hpp"
 #include "model/elevation.hpp"
 #include "model/number_text.hpp"
 #include "model/side_geometry.hpp"
@@ -38,15 +39,6 @@ void check_curve(const Curve& curve) {
     for (int c = 0; c < 3; ++c)
       check_finite(curve.points[j][c], key + "[" + std::to_string(j) + "]");
   }
-}
-
-void check_shape(const std::vector<double>& shape, int degree, const std::string& key) {
-  if (int(shape.size()) != degree - 1) {
-    throw ModelError(key, "has " + std::to_string(shape.size()) + " values; a patch of degree " +
-                              std::to_string(degree) + " in this direction has " +
-                              std::to_string(degree - 1));
-  }
-  for (double value : shape) check_finite(value, key);
 }
 
 void check_cut_order(const std::array<double, 2>& cut, const std::string& key) {
@@ -104,16 +96,6 @@ void check_central(const Patch& patch) {
     throw ModelError(key + ".cut.v", "is [" + number_text(patch.cut_v[0]) + ", " +
                                          number_text(patch.cut_v[1]) +
                                          "]; on a central patch the two add up to 1");
-  }
-  const int count = int(patch.shape_v.size());
-  for (int k = 0; k < count; ++k) {
-    if (patch.shape_v[k] != patch.shape_v[count - 1 - k]) {
-      throw ModelError(key + ".shape.v",
-                       "is not symmetric, as on a central patch it must be: value " +
-                           std::to_string(k) + " is " + number_text(patch.shape_v[k]) + ", value " +
-                           std::to_string(count - 1 - k) + " is " +
-                           number_text(patch.shape_v[count - 1 - k]));
-    }
   }
 }
 
@@ -240,13 +222,7 @@ void check_numbers(const Model& model) {
       if (curve < 0 || curve >= int(model.curves.size()))
         throw ModelError(key + "." + side_name(side), "names no curve of this model");
     }
-    const int degree_u = side_degree(model, patch, Side::v0),
-              degree_v = side_degree(model, patch, Side::u0);
-    // Opposite sides of different degree are refused later, and with the better sentence.
-    if (side_degree(model, patch, Side::v1) == degree_u)
-      check_shape(patch.shape_u, degree_u, key + ".shape.u");
-    if (side_degree(model, patch, Side::u1) == degree_v)
-      check_shape(patch.shape_v, degree_v, key + ".shape.v");
+    check_shapes(model, patch);
     check_cut_order(patch.cut_u, key + ".cut.u");
     check_cut_order(patch.cut_v, key + ".cut.v");
     check_central(patch);

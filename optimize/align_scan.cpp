@@ -187,6 +187,8 @@ std::string described(const AlignResult& result) {
     std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
     words += text;
   }
+  if (result.pose_is_doubtful)
+    words += " AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
   if (result.missing_end != MissingEnd::none)
     words += result.missing_end == MissingEnd::front ? " The front half is missing."
                                                      : " The rear half is missing.";
@@ -243,7 +245,9 @@ Placement given_placement(const Prepared& car, const AlignShape& fine, const Ali
     judge(car.off_ground, fine, placement, result);
     return shifted(car.off_ground, fine, placement);
   }
-  judge(car.off_ground, fine, registered(few, fine, given, given_scales, stretches), result);
+  const Placement stretched = registered(few, fine, given, given_scales, stretches);
+  judge(car.off_ground, fine, stretched, result);
+  result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }
 

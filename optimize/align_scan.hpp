@@ -35,7 +35,8 @@ struct AlignResult {
   double coverage = 0.0;  ///< share of its two sides with a point near, 0 to 1
   MissingSide missing = MissingSide::none;
   MissingEnd missing_end = MissingEnd::none;
-  std::string words;  ///< all this for the user, in sentences
+  bool pose_is_doubtful = false;  ///< at a given pose the scan does not lie like a car
+  std::string words;              ///< all this for the user, in sentences
 };
 
 /// Finds where a scan of a car in any orientation, position and unit lies on a start model: which

@@ -284,6 +284,19 @@ TEST(AlignScan, TakesAGivenPoseAsItIs) {
   EXPECT_GT(result.fit, 0.5);
 }
 
+TEST(AlignScan, SaysThatAGivenPoseIsWrong) {
+  SampleDraw draw(2);
+  const Scan scan = sampled(car("model1"), sample_points, 1.0, draw);
+  AlignOptions options;
+  options.pose = Pose{};
+  EXPECT_FALSE(align_scan(scan, car("template"), options).pose_is_doubtful);
+  options.pose->rotation =
+      Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3d::UnitZ()).toRotationMatrix();
+  const AlignResult wrong = align_scan(scan, car("template"), options);
+  EXPECT_TRUE(wrong.pose_is_doubtful);
+  EXPECT_NE(wrong.words.find("DOES NOT LIE LIKE A CAR"), std::string::npos);
+}
+
 TEST(AlignScan, RefinesAGivenPoseWhenAsked) {
   SampleDraw draw(9);
   const model::Model start = car("template");
