@@ -22,11 +22,11 @@ constexpr double first_speed_error = 0.05, common_speed_error = 0.003, largest_s
 
 // By how much inner points differ from the template's, relative to the length of the curve, where
 // lines tell them, and where they do not.
-constexpr double known_shape_error = 0.2, unknown_shape_error = 0.02;
+constexpr double known_shape_error = 0.2, unknown_shape_error = 0.005;
 
 constexpr double least_noise = 0.05;  // mm
 constexpr int first_weighings = 2, last_weighings = 4;
-constexpr int most_rounds = 60;         // of a search
+constexpr int most_rounds = 40;         // of a search
 constexpr double small_gain = 1e-7;     // of the sum of squares, relative: ends a search
 constexpr int most_contradictions = 4;  // lines of one curve that are left, one after another
 

@@ -22,6 +22,18 @@ double extent_of(const SketchLine& line) {
   return box.diagonal().norm();
 }
 
+// Whether the lines of a curve show all three axes: then the speed of one that no two views show
+// advancing along a common axis may still be told.
+bool shows_space(int curve, const std::vector<LineState>& states) {
+  Eigen::Vector3d shown(0.0, 0.0, 0.0);
+  for (const LineState& state : states) {
+    if (state.line->curve != curve) continue;
+    const model::ViewAxes axes = model::view_axes(state.line->view);
+    shown += axes.right.cwiseAbs() + axes.up.cwiseAbs();
+  }
+  return shown.minCoeff() > 0.0;
+}
+
 bool is_like_noise(double misfit, double distance) {
   return misfit <= like_noise * std::max(distance, least_misfit);
 }
@@ -36,7 +48,9 @@ void follow_drawings(const model::Model& model, std::vector<LineState>& states,
     LineState& state = states[k];
     const SketchLine& line = *state.line;
     const model::Curve& curve = model.curves[line.curve];
-    if (state.doubled || extent_of(line) < least_shown * curve_length(curve.points)) continue;
+    if (state.doubled || !shows_space(line.curve, states) ||
+        extent_of(line) < least_shown * curve_length(curve.points))
+      continue;
     DrawnParameters found = drawn_parameters(line, int(curve.points.size()) - 1);
     if (found.parameters.empty() || !is_like_noise(found.misfit, distances[k])) {
       ++others;
