@@ -8,7 +8,7 @@
 #include "model/build.hpp"
 #include "model/check_fold.hpp"
 #include "optimize/fit_phase.hpp"
-#include "optimize/folded_scan.hpp"
+#include "optimize/scan_fit_target.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -42,7 +42,7 @@ class Fitter {
   Fitter(const FitOptions& options, const model::Model& start) : options_(options) {
     result_.model = start;
   }
-  FitResult run(const model::Scan& coarse, const model::Scan& fine);
+  FitResult run(const std::vector<FitTargetMaker>& targets);
 
  private:
   FitPhaseOptions phase_options(model::Stage stage, std::vector<std::string> vary, double bending,
@@ -62,6 +62,7 @@ FitPhaseOptions Fitter::phase_options(model::Stage stage, std::vector<std::strin
                                       double bending, int evaluations) const {
   FitPhaseOptions phase;
   phase.stage = stage;
+  phase.detail = stage == model::Stage::body ? FitDetail::fine : FitDetail::coarse;
   phase.vary = std::move(vary);
   phase.bounds = options_.bounds;
   phase.bending = bending;
@@ -109,18 +110,18 @@ void Fitter::unfold(FitPhase& phase) {
   }
 }
 
-FitResult Fitter::run(const model::Scan& coarse, const model::Scan& fine) {
+FitResult Fitter::run(const std::vector<FitTargetMaker>& targets) {
   const double middle = std::sqrt(options_.far * options_.near);
   {
-    FitPhase warp(result_.model, coarse, phase_options(model::Stage::base, {}, 0.0, 60));
+    FitPhase warp(result_.model, targets, phase_options(model::Stage::base, {}, 0.0, 60));
     run_rounds(warp, "warp", options_.warp_rounds, options_.far, 2.0 * middle);
   }
   {
-    FitPhase curves(result_.model, coarse,
+    FitPhase curves(result_.model, targets,
                     phase_options(model::Stage::base, {"curve.*"}, options_.bending, 100));
     run_rounds(curves, "curves", options_.curve_rounds, 2.0 * middle, middle);
   }
-  FitPhase body(result_.model, fine,
+  FitPhase body(result_.model, targets,
                 phase_options(model::Stage::body, {"*"}, options_.bending, 150));
   run_rounds(body, "body", options_.body_rounds, middle, options_.near);
   unfold(body);
@@ -132,17 +133,17 @@ FitResult Fitter::run(const model::Scan& coarse, const model::Scan& fine) {
 
 }  // namespace
 
+FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Model& start,
+                   const FitOptions& options) {
+  if (!(options.far > 0.0) || !(options.near > 0.0) || !(options.rim_near > 0.0))
+    throw std::invalid_argument("distances of a fit must be positive");
+  return Fitter(options, start).run(targets);
+}
+
 FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
                    const FitOptions& options) {
-  if (scan.points.empty()) throw std::invalid_argument("the scan has no points");
-  if (scan.normals.size() != scan.points.size())
-    throw std::invalid_argument("the scan has no normals; estimate them first");
-  if (options.coarse_points < 1 || options.fine_points < 1 || !(options.far > 0.0) ||
-      !(options.near > 0.0) || !(options.rim_near > 0.0))
-    throw std::invalid_argument("numbers of points and distances of a fit must be positive");
-  return Fitter(options, start)
-      .run(folded_scan(scan, pose, options.coarse_points),
-           folded_scan(scan, pose, options.fine_points));
+  return fit_body({scan_fit_target(scan, pose, options.coarse_points, options.fine_points)}, start,
+                  options);
 }
 
 }  // namespace bodyline::optimize

@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 #include "model/scan.hpp"
 #include "model/variables.hpp"
+#include "optimize/fit_target.hpp"
 #include "optimize/status.hpp"
 
 namespace bodyline::optimize {
@@ -15,7 +16,7 @@ namespace bodyline::optimize {
 struct FitProgress {
   std::string phase;  ///< "warp", "curves", "body" or "unfold"
   int round = 0, rounds = 0;
-  double distance = 0.0;  ///< median distance of the scan's points before the round, mm
+  double distance = 0.0;  ///< median distance of the first target before the round, mm
   double seconds = 0.0;   ///< since the start
 };
 
@@ -45,10 +46,14 @@ struct FitResult {
   double seconds = 0.0;
 };
 
-/// Fits a body to a scan that `pose` brings into the coordinates of `start`: first a smooth warp of
-/// the whole body, then its curves with whole patches, then everything with the closed body; while
-/// a face folds up to `unfold_rounds` more. Throws std::invalid_argument when the scan has no
-/// points or no normals.
+/// Fits a body to targets in the coordinates of `start`: first a smooth warp of the whole body,
+/// then its curves with whole patches, then everything with the closed body; while a face folds up
+/// to `unfold_rounds` more. Throws std::invalid_argument for options out of range.
+FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Model& start,
+                   const FitOptions& options);
+
+/// Fits a body to a scan that `pose` brings into the coordinates of `start`, with `fit_body`.
+/// Throws std::invalid_argument also when the scan has no points or no normals.
 FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
                    const FitOptions& options);
 
