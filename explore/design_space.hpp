@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -36,8 +37,8 @@ struct Column {
 /// after construction; safe to use from several threads.
 class DesignSpace {
  public:
-  /// Throws std::invalid_argument, with the name of the group, when a pattern matches nothing,
-  /// models differ in what joins what, two groups move one variable, or a range is empty.
+  /// Throws StudyError when a pattern matches nothing, models differ in what joins what, two groups
+  /// move one variable, or a variable has no range.
   explicit DesignSpace(const Study& study);
 
   int dimension() const { return dimension_; }
@@ -73,10 +74,13 @@ class DesignSpace {
     double weight = 1.0;
   };
 
-  void add_base(const Study& study);
-  void add_groups(const Study& study);
+  void add_bases(const Study& study);
   void add_group(const VariableGroup& group);
-  void base_values(std::span<const double> values, Eigen::VectorXd& x) const;
+  Column own_column(const VariableGroup& group, int variable) const;
+  int moving(int variable);
+  void gather_bases();
+  void base(std::span<const double> values, Eigen::VectorXd& x) const;
+  int first_number() const { return choice_ ? 1 : weights_; }  // columns of the base before
 
   int dimension_ = 0;
   int weights_ = 0;  // columns of a blend, the first ones
@@ -86,7 +90,8 @@ class DesignSpace {
   std::shared_ptr<const model::BodyContext> context_;
   std::vector<int> moved_;
   std::vector<Move> moves_;
-  Eigen::MatrixXd bases_;  // of each model (columns), the moving variables
+  std::map<int, std::string> owner_;  // group of each variable of the body
+  Eigen::MatrixXd bases_;             // of each model (columns), the moving variables
 };
 
 }  // namespace bodyline::explore

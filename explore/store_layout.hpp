@@ -24,7 +24,9 @@ struct TableLayout {
   std::vector<std::uint64_t> row;  ///< shape of a row; empty: one element
   int chunk_rows = 1;              ///< divides the block
 
-  std::size_t row_bytes() const;
+  std::size_t row_elements() const;
+  std::size_t row_bytes() const { return row_elements() * element_bytes(type); }
+  std::size_t chunk_bytes() const { return std::size_t(chunk_rows) * row_bytes(); }
 };
 
 /// What the store of a study looks like; all of it follows from the study.
@@ -36,10 +38,18 @@ struct StoreLayout {
   std::vector<TableLayout> tables;
 };
 
+/// Width and height of thumbnails that are so wide.
+std::vector<std::uint64_t> thumbnail_shape(int width);
+
 /// The bytes of a table's rows in `rows`: count * row_bytes().
-const std::byte* table_data(const VariantRows& rows, const TableLayout& table);
+const std::byte* table_data(const VariantRows& rows, const std::string& table);
+std::byte* table_data(VariantRows& rows, const std::string& table);
 
 /// Rows of the layout's shape, all zero.
 VariantRows make_rows(const StoreLayout& layout, std::uint64_t first, int count);
+
+/// Copies `count` rows of all tables.
+void copy_rows(const StoreLayout& layout, const VariantRows& from, int from_row, VariantRows& to,
+               int to_row, int count);
 
 }  // namespace bodyline::explore

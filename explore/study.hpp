@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ struct MetricSpec {
   std::vector<std::string> faces;  ///< of an energy: patterns, all when empty; of a rake: one name
   std::string scan;                ///< file, of the distance to a scan
   int points = 2000;               ///< of the scan that are used
+  bool posed = false;              ///< the scan lies on the models as it is, in mm
 };
 
 /// A metric that must lie in a range; a variant that breaks it is recorded as infeasible.
@@ -110,6 +112,7 @@ struct Checks {
 struct Study {
   std::string name;
   std::string note;
+  std::filesystem::path folder;  ///< that names of files are relative to
   BaseKind base = BaseKind::model;
   std::vector<BaseModel> models;  ///< one, or those of the choice or blend
   std::vector<VariableGroup> variables;

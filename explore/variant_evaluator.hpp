@@ -2,29 +2,14 @@
 
 #include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "explore/design_space.hpp"
-#include "explore/study.hpp"
+#include "explore/variant_plan.hpp"
 #include "explore/variant_status.hpp"
 
 namespace bodyline::explore {
 
-/// What all threads that measure variants of a study share. Never changed after construction.
-struct VariantPlan {
-  /// Throws std::invalid_argument where a metric does not suit the models, and io::InputError for
-  /// a scan that cannot be read.
-  explicit VariantPlan(Study study);
-
-  Study study;
-  DesignSpace space;
-  /// Names that a Cause counts: "" first, then patches, joints, faces and metrics.
-  std::vector<std::string> causes;
-};
-
-/// Measures variants, one at a time and without allocating; one per thread. The result depends on
-/// the values alone, not on what was measured before.
+/// Measures variants, one at a time; one per thread. The result depends on the values alone, not on
+/// what was measured before. Allocates nothing unless edges or scans are measured.
 class VariantEvaluator {
  public:
   explicit VariantEvaluator(std::shared_ptr<const VariantPlan> plan);
