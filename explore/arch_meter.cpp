@@ -39,9 +39,8 @@ ArchMeter::ArchMeter(const model::Model& model, const model::ParameterLayout& la
     curves_.push_back(std::move(curve));
   }
   const Eigen::Index count = Eigen::Index(curves_.size()) * pieces;
-  x_.resize(count);
-  z_.resize(count);
-  weight_.resize(count);
+  for (Eigen::ArrayXd* array : {&x_, &z_, &weight_, &dx_, &dz_, &reciprocal_, &scaled_, &weighted_})
+    array->resize(count);
 }
 
 bool ArchMeter::moves_with(const std::vector<int>& parameters) const {
@@ -72,35 +71,48 @@ void ArchMeter::sample(const Eigen::VectorXd& parameters) {
 }
 
 // The circle x^2 + z^2 = 2 a x + 2 b z + c that fits best algebraically.
-model::ArchCircle ArchMeter::first_circle() const {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+model::ArchCircle ArchMeter::first_circle() {
   const double x0 = x_[0], z0 = z_[0];
-  for (Eigen::Index k = 0; k < x_.size(); ++k) {
-    const double dx = x_[k] - x0, dz = z_[k] - z0;
-    const Eigen::Vector3d row(2.0 * dx, 2.0 * dz, 1.0);
-    normal += weight_[k] * row * row.transpose();
-    right += weight_[k] * (dx * dx + dz * dz) * row;
-  }
+  dx_ = x_ - x0;
+  dz_ = z_ - z0;
+  scaled_ = dx_.square() + dz_.square();
+  const double x = 2.0 * (weight_ * dx_).sum(), z = 2.0 * (weight_ * dz_).sum();
+  const double xx = 4.0 * (weight_ * dx_.square()).sum(), xz = 4.0 * (weight_ * dx_ * dz_).sum();
+  const double zz = 4.0 * (weight_ * dz_.square()).sum();
+  weighted_ = weight_ * scaled_;
+  Eigen::Matrix3d normal;
+  normal << xx, xz, x, xz, zz, z, x, z, weight_.sum();
+  const Eigen::Vector3d right(2.0 * (weighted_ * dx_).sum(), 2.0 * (weighted_ * dz_).sum(),
+                              weighted_.sum());
   const Eigen::FullPivLU<Eigen::Matrix3d> solver(normal);
   if (!solver.isInvertible()) return {NAN, NAN, NAN};
   const Eigen::Vector3d s = solver.solve(right);
   return {x0 + s[0], z0 + s[1], std::sqrt(s[2] + s[0] * s[0] + s[1] * s[1])};
 }
 
-// One Gauss-Newton step of the sum of weight * (distance from the centre - radius)^2; returns its
-// length.
-double ArchMeter::improve(model::ArchCircle& circle) const {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (Eigen::Index k = 0; k < x_.size(); ++k) {
-    const double dx = x_[k] - circle.x, dz = z_[k] - circle.z;
-    const double distance = std::sqrt(dx * dx + dz * dz);
-    const Eigen::Vector3d row(dx / distance, dz / distance, 1.0);
-    normal += weight_[k] * row * row.transpose();
-    right += weight_[k] * (distance - circle.radius) * row;
-  }
-  const Eigen::Vector3d step = normal.ldlt().solve(right);
+// One step of Newton's method for the least sum of weight * (distance from the centre - radius)^2;
+// returns its length.
+double ArchMeter::improve(model::ArchCircle& circle) {
+  const double radius = circle.radius;
+  dx_ = x_ - circle.x;
+  dz_ = z_ - circle.z;
+  reciprocal_ = (dx_.square() + dz_.square()).sqrt().inverse();
+  dx_ *= reciprocal_;  // now unit rays
+  dz_ *= reciprocal_;
+  // Half the gradient and Hessian by the centre and the radius: r = distance - radius, and the
+  // second derivative of the distance is (1 - ray ray') / distance.
+  scaled_ = weight_ * (1.0 - radius * reciprocal_);  // weight * r / distance
+  const double all = weight_.sum(), bent = scaled_.sum();
+  const double x = (weight_ * dx_).sum(), z = (weight_ * dz_).sum();
+  const double rx = (scaled_ * dx_ / reciprocal_).sum(), rz = (scaled_ * dz_ / reciprocal_).sum();
+  const double r = (scaled_ / reciprocal_).sum();
+  weighted_ = weight_ - scaled_;
+  const double xx = (weighted_ * dx_.square()).sum() + bent;
+  const double xz = (weighted_ * dx_ * dz_).sum();
+  const double zz = (weighted_ * dz_.square()).sum() + bent;
+  Eigen::Matrix3d hessian;
+  hessian << xx, xz, x, xz, zz, z, x, z, all;
+  const Eigen::Vector3d step = hessian.inverse() * Eigen::Vector3d(rx, rz, r);
   circle.x += step[0];
   circle.z += step[1];
   circle.radius += step[2];

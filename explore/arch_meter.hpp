@@ -28,11 +28,12 @@ class ArchMeter {
     Eigen::MatrixXd at, along;  // from points to positions, and to lengths of pieces
   };
   void sample(const Eigen::VectorXd& parameters);
-  model::ArchCircle first_circle() const;
-  double improve(model::ArchCircle& circle) const;
+  model::ArchCircle first_circle();
+  double improve(model::ArchCircle& circle);
 
   std::vector<ArchCurve> curves_;
-  Eigen::ArrayXd x_, z_, weight_;  // of the midpoints of all pieces
+  Eigen::ArrayXd x_, z_, weight_;                            // of the midpoints of all pieces
+  Eigen::ArrayXd dx_, dz_, reciprocal_, scaled_, weighted_;  // room to work in
 };
 
 }  // namespace bodyline::explore

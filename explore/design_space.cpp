@@ -24,9 +24,8 @@ double round_to(double value, double step) { return std::nearbyint(value / step)
 double value_at(const Column& column, double coordinate) {
   if (coordinate <= 0.0) return column.lower;
   if (coordinate >= 1.0) return column.upper;
-  const double range = column.upper - column.lower;
-  const double step = std::exp2(std::ceil(std::log2(range))) / steps;
-  const double value = round_to(column.lower + coordinate * range, step);
+  const double value =
+      round_to(column.lower + coordinate * (column.upper - column.lower), column.step);
   return std::clamp(value, column.lower, column.upper);
 }
 
@@ -70,6 +69,8 @@ DesignSpace::DesignSpace(const Study& study) {
         throw StudyError("variables", "gives two variables the name \"" + column.name + "\"");
     }
   }
+  for (Column& column : columns_)
+    column.step = std::exp2(std::ceil(std::log2(column.upper - column.lower))) / steps;
   gather_bases();
 }
 

@@ -29,6 +29,7 @@ struct Column {
   ColumnKind kind = ColumnKind::value;
   double lower = 0.0, upper = 0.0;
   double start = 0.0;  ///< where it is for the first model of the study
+  double step = 0.0;   ///< values are multiples of it, but for both ends
 };
 
 /// The space that a study explores. Three vectors describe a variant: a point of the unit cube with

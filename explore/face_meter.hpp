@@ -20,26 +20,30 @@ struct SampledFace {
 /// The faces of the body with their tables; those of degree above 5 with `nodes_high` nodes.
 class SampledFaces {
  public:
-  SampledFaces(const model::BodyPlan& plan, int nodes, int nodes_high);
+  SampledFaces(const model::BodyPlan& plan, int nodes, int nodes_high,
+               model::FaceTables::MakeRule make_rule);
   const std::vector<SampledFace>& list() const { return list_; }
+  /// Room for the jets of any of the faces, to first order.
+  std::vector<double> room() const;
 
  private:
   std::map<std::pair<int, std::pair<int, int>>, model::FaceTables> tables_;
   std::vector<SampledFace> list_;
 };
 
-/// Finds faces that fold over themselves: of 64 normals one is turned by more than 90 degrees
-/// against the mean normal.
+/// Finds faces that fold over themselves: of 64 normals, those of the edges and corners among them,
+/// one is turned by more than 90 degrees against the mean normal.
 class FoldMeter {
  public:
   explicit FoldMeter(const model::BodyPlan& plan);
   /// Number of folded faces on both sides; `first` becomes the index of the first in the plan's
   /// faces, or -1.
-  int measure(const double* nets, int& first) const;
+  int measure(const double* nets, int& first);
 
  private:
   SampledFaces faces_;
   const model::Kernels* kernels_;
+  std::vector<double> jets_;
 };
 
 /// The volume of model/measures.hpp, m^3.

@@ -43,6 +43,16 @@ double rake(const model::Face& face, const double* nets) {
   return degrees * std::atan2(std::abs(chord.x()), std::abs(chord.z()));
 }
 
+// All parameters that follow a variable that moves.
+std::vector<int> moving_parameters(const DesignSpace& space) {
+  std::vector<int> parameters;
+  for (const int variable : space.body_variables()) {
+    for (const model::Tie& tie : space.context()->map.variables()[variable].ties)
+      parameters.push_back(tie.parameter);
+  }
+  return parameters;
+}
+
 // The stage that the metrics need; dimensions are those of the closed body.
 model::EvaluatorOptions evaluator_options(const Study& study) {
   model::EvaluatorOptions options;
@@ -76,6 +86,7 @@ struct VariantEvaluator::State {
   // Of the variant in hand, where a metric needs it.
   BodyReach reach;
   double arches[2] = {0.0, 0.0};  // x of both centres
+  bool arches_move[2] = {false, false};
   double volume = 0.0, frontal_area = 0.0;
   int folds = 0, first_fold = -1;
   EdgeMeter::Worst edges;
@@ -95,8 +106,12 @@ VariantEvaluator::State::State(std::shared_ptr<const VariantPlan> of)
   if (has_any(study, {length, width, height, front_overhang, rear_overhang, frontal_area}))
     box_meter.emplace(body);
   if (has_any(study, {wheelbase, front_overhang, rear_overhang})) {
-    arch_meters[0].emplace(model, body.layout, model.front_arch);
-    arch_meters[1].emplace(model, body.layout, model.rear_arch);
+    const std::vector<int> moving = moving_parameters(plan->space);
+    for (int end = 0; end < 2; ++end) {
+      arch_meters[end].emplace(model, body.layout, end == 0 ? model.front_arch : model.rear_arch);
+      arches[end] = arch_meters[end]->measure(parameters).x;
+      arches_move[end] = arch_meters[end]->moves_with(moving);
+    }
   }
   if (study.checks.folds || has_any(study, {MetricKind::folds})) fold_meter.emplace(body);
   if (has_any(study, {MetricKind::volume})) volume_meter.emplace(body);
@@ -108,7 +123,7 @@ void VariantEvaluator::State::measure_parts() {
   const double* const nets = evaluator.nets();
   if (box_meter) reach = box_meter->measure(nets);
   for (int end = 0; end < 2; ++end) {
-    if (arch_meters[end]) arches[end] = arch_meters[end]->measure(parameters).x;
+    if (arches_move[end]) arches[end] = arch_meters[end]->measure(parameters).x;
   }
   if (fold_meter) folds = fold_meter->measure(nets, first_fold);
   if (volume_meter) volume = volume_meter->measure(nets);
