@@ -14,7 +14,7 @@ namespace bodyline::explore {
 /// A face with the tables it is sampled by.
 struct SampledFace {
   const model::Face* face = nullptr;
-  const model::FaceRule* rule = nullptr;
+  const model::FaceTables* tables = nullptr;
 };
 
 /// The faces of the body with their tables; those of degree above 5 with `nodes_high` nodes.
@@ -31,8 +31,9 @@ class SampledFaces {
   std::vector<SampledFace> list_;
 };
 
-/// Finds faces that fold over themselves: of 64 normals, those of the edges and corners among them,
-/// one is turned by more than 90 degrees against the mean normal.
+/// Finds faces that fold over themselves: a normal is turned by more than 90 degrees against the
+/// mean normal. Looks at 64 of them, those of the edges and corners among them, and from the worst
+/// one further around it when that is turned by 80 degrees or more.
 class FoldMeter {
  public:
   explicit FoldMeter(const model::BodyPlan& plan);
