@@ -137,7 +137,7 @@ FoldMeter::FoldMeter(const model::BodyPlan& plan)
       kernels_(&model::kernels(model::best_isa())),
       jets_(faces_.room()) {}
 
-int FoldMeter::measure(const double* nets, int& first) {
+int FoldMeter::measure(const double* nets, bool any, int& first) {
   int count = 0;
   first = -1;
   for (std::size_t f = 0; f < faces_.list().size(); ++f) {
@@ -148,6 +148,7 @@ int FoldMeter::measure(const double* nets, int& first) {
     if (worst.cosine >= 0.0 && !folds_nearby(model::net_surface(*face, nets), worst)) continue;
     if (first < 0) first = int(f);
     count += face->central ? 1 : 2;
+    if (any) break;
   }
   return count;
 }

@@ -37,9 +37,9 @@ class SampledFaces {
 class FoldMeter {
  public:
   explicit FoldMeter(const model::BodyPlan& plan);
-  /// Number of folded faces on both sides; `first` becomes the index of the first in the plan's
-  /// faces, or -1.
-  int measure(const double* nets, int& first);
+  /// Number of folded faces on both sides, or with `any` something above 0 when there is one;
+  /// `first` becomes the index of the first in the plan's faces, or -1.
+  int measure(const double* nets, bool any, int& first);
 
  private:
   SampledFaces faces_;

@@ -88,6 +88,7 @@ struct VariantEvaluator::State {
   double arches[2] = {0.0, 0.0};  // x of both centres
   bool arches_move[2] = {false, false};
   double volume = 0.0, frontal_area = 0.0;
+  bool count_folds = false;
   int folds = 0, first_fold = -1;
   EdgeMeter::Worst edges;
 };
@@ -113,7 +114,8 @@ VariantEvaluator::State::State(std::shared_ptr<const VariantPlan> of)
       arches_move[end] = arch_meters[end]->moves_with(moving);
     }
   }
-  if (study.checks.folds || has_any(study, {MetricKind::folds})) fold_meter.emplace(body);
+  count_folds = has_any(study, {MetricKind::folds});
+  if (study.checks.folds || count_folds) fold_meter.emplace(body);
   if (has_any(study, {MetricKind::volume})) volume_meter.emplace(body);
   if (has_any(study, {MetricKind::frontal_area})) frontal_meter.emplace(body);
   if (has_any(study, {kink, gap})) edge_meter.emplace(model, body);
@@ -125,7 +127,7 @@ void VariantEvaluator::State::measure_parts() {
   for (int end = 0; end < 2; ++end) {
     if (arches_move[end]) arches[end] = arch_meters[end]->measure(parameters).x;
   }
-  if (fold_meter) folds = fold_meter->measure(nets, first_fold);
+  if (fold_meter) folds = fold_meter->measure(nets, !count_folds, first_fold);
   if (volume_meter) volume = volume_meter->measure(nets);
   if (frontal_meter) frontal_area = frontal_meter->measure(nets, reach);
   if (edge_meter) edges = edge_meter->measure(nets);
