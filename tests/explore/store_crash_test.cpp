@@ -15,9 +15,10 @@
 
 namespace {
 
-// Called before and after every write, and in its middle; may give up the write with an error.
+// Called before every write and in its middle.
 std::function<void()> on_write;                 // NOLINT: the system's functions have no object
 std::function<bool(std::size_t)> is_disk_full;  // NOLINT
+bool is_rest = false;                           // NOLINT: the second half of a write comes next
 
 }  // namespace
 
@@ -26,12 +27,12 @@ extern "C" ssize_t pwrite(int file, const void* data, size_t count, off_t offset
     errno = ENOSPC;
     return -1;
   }
-  if (!on_write) return syscall(SYS_pwrite64, file, data, count, offset);
-  on_write();
-  const size_t half = count > 8 ? count / 2 : count;  // single numbers are written at once
-  const ssize_t written = syscall(SYS_pwrite64, file, data, half, offset);
-  on_write();
-  return written;  // the rest comes with another call
+  if (on_write) {
+    on_write();
+    is_rest = !is_rest && count > 8;  // single numbers are written at once
+    if (is_rest) count /= 2;          // whoever writes goes on with the rest
+  }
+  return syscall(SYS_pwrite64, file, data, count, offset);
 }
 
 namespace bodyline::testing {
@@ -42,7 +43,7 @@ namespace fs = std::filesystem;
 constexpr int rows = 400, block = 32;
 
 explore::Study stored_study() {
-  return small_study(rows, "[keep]\nnets = true\nblock = " + std::to_string(block));
+  return small_study(rows, "[keep]\nblock = " + std::to_string(block));
 }
 
 class Watched : public ::testing::Test {
@@ -114,7 +115,7 @@ TEST_F(Watched, CanBeResumedFromEveryState) {
 }
 
 TEST_F(Watched, AFullDiskIsToldAndLosesNothing) {
-  for (const std::size_t room : {1000u, 30000u, 200000u, 700000u, 1500000u}) {
+  for (const std::size_t room : {1000u, 5000u, 20000u, 40000u}) {
     const fs::path path = folder / (std::to_string(room) + ".h5");
     std::size_t used = 0;
     std::string sentence;
