@@ -13,6 +13,7 @@
 #include "cli/export_command.hpp"
 #include "cli/fair_command.hpp"
 #include "cli/fit_command.hpp"
+#include "cli/outline_command.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
@@ -37,6 +38,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_export_command(program, context);
   add_convert_command(program, context);
   add_scan_command(program, context);
+  add_outline_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {

@@ -17,6 +17,7 @@ class BoundedTarget : public FitTarget {
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, 1.0}; }
   double distance() const override { return largest_excess_; }
+  double misfit() const override { return largest_excess_; }
 
  protected:
   BoundedTarget(const model::BodyPlan& plan, model::Stage stage)

@@ -40,6 +40,7 @@ FitPhase::FitPhase(const model::Model& model, const std::vector<FitTargetMaker>&
                    FitPhaseOptions options)
     : state_(std::make_unique<State>(model, targets, std::move(options))) {}
 FitPhase::~FitPhase() = default;
+FitPhase::FitPhase(FitPhase&&) noexcept = default;
 
 FitPhase::Outcome FitPhase::run(const FitRound& round) {
   State& s = *state_;
@@ -62,12 +63,25 @@ FitPhase::Outcome FitPhase::run(const FitRound& round) {
   model::Evaluator evaluator(s.context, s.variables.selected(), objective);
   FitProblem problem(evaluator, s.variables);
   Options search;
+  search.algorithm = s.options.algorithm;
+  if (search.algorithm == Algorithm::ceres_lm) problem.use_residuals();
   search.max_evaluations = s.options.evaluations;
   search.relative_improvement = 1e-4;  // the next round asks for something else
   search.should_stop = s.options.should_stop;
   const Result found = minimize(problem, s.x, search);
   s.x = found.x;
   return {s.targets.empty() ? 0.0 : s.targets.front()->distance(), found.status};
+}
+
+double FitPhase::misfit(const FitRound& round) {
+  State& s = *state_;
+  s.builder.build(s.variables.expand(s.x));
+  double sum = 0.0;
+  for (const std::unique_ptr<FitTarget>& target : s.targets) {
+    target->match(s.builder.nets(), round);
+    sum += target->misfit();
+  }
+  return sum;
 }
 
 model::Model FitPhase::model() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/evaluator.hpp"
+#include "optimize/algorithm.hpp"
 #include "optimize/fit_target.hpp"
 #include "optimize/fit_variables.hpp"
 #include "optimize/status.hpp"
@@ -19,6 +20,7 @@ struct FitPhaseOptions {
   model::VariableBounds bounds;
   double bending = 0.0, stay = 0.0;  ///< weights against squared mm, see FitOptions
   int evaluations = 100;             ///< most of a round
+  Algorithm algorithm = Algorithm::nlopt_lbfgs;
   std::function<bool()> should_stop;
 };
 
@@ -29,12 +31,16 @@ class FitPhase {
   FitPhase(const model::Model& model, const std::vector<FitTargetMaker>& targets,
            FitPhaseOptions options);
   ~FitPhase();
+  FitPhase(FitPhase&&) noexcept;
 
   struct Outcome {
     double distance = 0.0;  ///< of the first target before the round, mm
     Status status = Status::failed;
   };
   Outcome run(const FitRound& round);
+
+  /// Matches the body as it is now; the misfits of all targets together, mm.
+  double misfit(const FitRound& round);
 
   /// The model as it is now.
   model::Model model() const;

@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 #include "model/scan.hpp"
 #include "model/variables.hpp"
+#include "optimize/algorithm.hpp"
 #include "optimize/fit_target.hpp"
 #include "optimize/status.hpp"
 
@@ -24,18 +25,22 @@ struct FitProgress {
 /// mean squared distance, mm^2.
 struct FitOptions {
   std::size_t coarse_points = 15000, fine_points = 60000;  ///< of the scan, while searching
+  /// Moves of the start body, mm. All are tried, by warp and by curves; the closest goes on.
+  std::vector<Eigen::Vector3d> starts{{0, 0, 0}, {100, 0, 0}, {-100, 0, 0}, {0, 0, -80}};
   int warp_rounds = 15, curve_rounds = 15, body_rounds = 20;
   int unfold_rounds = 6;    ///< most, with ever stronger barriers while a face folds
   double far = 250.0;       ///< distance off the surface that counts a quarter at first, mm,
   double near = 6.0;        ///< and at last
   double rim_near = 100.0;  ///< likewise beyond rims, at last, mm
-  double bending = 5e-3;    ///< weight of the bending energy
-  double fold = 1e3;        ///< weight of the barrier against folds
-  double stay = 3e-5;       ///< weight of the mean squared move of the base nets in a round
-  double rims = 0.05;       ///< weight of all rims together, as a share of the scan's points
+  Algorithm algorithm = Algorithm::nlopt_lbfgs;  ///< of the search in a round
+  double bending = 5e-3;                         ///< weight of the bending energy
+  double fold = 1e3;                             ///< weight of the barrier against folds
+  double stay = 3e-5;  ///< weight of the mean squared move of the base nets in a round
+  double rims = 0.05;  ///< weight of all rims together, as a share of the scan's points
   model::VariableBounds bounds;
-  std::function<void(const FitProgress&)> on_progress;  ///< may be empty
-  std::function<bool()> should_stop;  ///< polled between rounds and at evaluations; may be empty
+  std::function<void(const FitProgress&)> on_progress;  ///< of one start; may be empty
+  /// Polled between rounds and at evaluations, from several threads; may be empty.
+  std::function<bool()> should_stop;
 };
 
 struct FitResult {

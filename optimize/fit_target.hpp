@@ -33,9 +33,11 @@ class FitTarget {
   /// The term as of the last match, in mm^2.
   virtual model::WeightedNetTerm term() const = 0;
 
-  /// What it calls its distance, and the median at the last match, mm.
+  /// What it is, in a word or two; its median distance at the last match, mm; and how badly the
+  /// body meets all that it can meet of it: the root mean square of the nearest nine tenths, mm.
   virtual std::string name() const = 0;
   virtual double distance() const = 0;
+  virtual double misfit() const = 0;
 };
 
 /// How closely a phase of a fit looks at its targets.

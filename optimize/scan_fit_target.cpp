@@ -6,11 +6,16 @@
 #include "optimize/folded_scan.hpp"
 #include "optimize/quantile.hpp"
 #include "optimize/rim_pulls.hpp"
+#include "optimize/scan_follow.hpp"
 #include "optimize/scan_match.hpp"
 #include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
+
+constexpr double heeded_share = 0.9;
+constexpr int rounds_per_search = 2;  // points change their faces only then
+constexpr int following_steps = 3;
 
 class ScanFitTarget : public FitTarget {
  public:
@@ -19,31 +24,42 @@ class ScanFitTarget : public FitTarget {
       : scan_(std::move(scan)),
         matcher_(plan, stage, *scan_),
         puller_(plan, stage, *scan_),
-        rims_(rims_of(plan, stage)),
+        kernels_(&model::kernels(model::best_isa())),
+        faces_(&plan.faces(stage)),
+        follower_(plan, stage, *scan_, rims_of(plan, stage)),
         term_(std::make_shared<ScanTerm>(plan, stage)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, 1.0}; }
   std::string name() const override { return "scan"; }
   double distance() const override { return distance_; }
+  double misfit() const override { return misfit_; }
 
  private:
   std::shared_ptr<const model::Scan> scan_;
   ScanMatcher matcher_;
   RimPuller puller_;
-  std::vector<std::array<bool, 4>> rims_;
+  const model::Kernels* kernels_;
+  const std::vector<model::Face>* faces_;
+  ScanFollower follower_;
   std::shared_ptr<ScanTerm> term_;
-  double distance_ = 0.0;
+  int rounds_ = 0;
+  double distance_ = 0.0, misfit_ = 0.0;
 };
 
 void ScanFitTarget::match(const double* nets, const FitRound& round) {
-  std::vector<Match> matches = matcher_.match(nets);
-  std::vector<double> distances;
-  for (const Match& match : matches) distances.push_back(std::abs(match.distance));
-  distance_ = quantile(std::move(distances), 0.5);
-  std::vector<MatchPull> pulls = robust_pulls(matches, *scan_, rims_, round.reach);
-  puller_.append(nets, round.reach.rim, round.rims * double(scan_->points.size()), matches, pulls);
-  term_->set(matches, pulls);
+  const bool anew = rounds_++ % rounds_per_search == 0;
+  if (anew) follower_.start(matcher_.match(nets));
+  std::vector<FaceMoments> moments =
+      follower_.follow(nets, round.reach, anew ? 0 : following_steps);
+  misfit_ = trimmed_rms(follower_.distances(), heeded_share);
+  distance_ = quantile(follower_.distances(), 0.5);
+  std::vector<Match> rim_matches;
+  std::vector<MatchPull> rim_pulls;
+  puller_.append(nets, round.reach.rim, round.rims * double(scan_->points.size()), rim_matches,
+                 rim_pulls);
+  merge_moments(collect_moments(*faces_, *kernels_, rim_matches, rim_pulls), moments);
+  term_->set(moments);
 }
 
 }  // namespace

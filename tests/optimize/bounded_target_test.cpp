@@ -91,10 +91,12 @@ TEST(HardPointTarget, TheSurfacePassesThroughAndKeepsClear) {
   const model::Model start = read_car("template"), truth = read_car("model2");
   const model::Scan scan = scan_of(truth);
   // Of the car's own roof, hood and side: one to pass through, one to contain, one to keep out.
-  Eigen::Vector3d high = scan.points.front(), side = scan.points.front();
+  Eigen::Vector3d high = scan.points.front(), side = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : scan.points) {
     if (point.z() > high.z()) high = point;
-    if (point.y() < side.y()) side = point;
+    // Away from the sill, where the surface turns back under the car.
+    const bool on_door = point.z() > 550.0 && std::abs(point.x() - 2200.0) < 400.0;
+    if (on_door && point.y() < side.y()) side = point;
   }
   const std::vector<HardPoint> points{
       {high + Eigen::Vector3d(0, 0, 8), HardPointRule::through},

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/surface.hpp"
+
+namespace bodyline::model {
+
+/// A curve on a face along which a parallel view grazes it: its normal is square to the view there,
+/// to 1e-9. Points are (u, v).
+struct Contour {
+  std::vector<Eigen::Vector2d> points;
+  bool closed = false;  ///< the last point is followed by the first
+};
+
+/// The outward normals of a face times the unit vector `toward` the eye, at the nodes of a grid of
+/// cells_u x cells_v cells, v fastest; NaN where there is no normal.
+std::vector<double> facing_values(const Surface& face, const Eigen::Vector3d& toward, int cells_u,
+                                  int cells_v);
+
+/// The contours of a face that its grid of facing_values shows: those that cross an edge of a cell
+/// an odd number of times. Where the face itself is edge-on (a flat wall) there is none. A point
+/// lies in every edge that is crossed; `refine_contour` finds those between.
+std::vector<Contour> trace_contours(const Surface& face, const Eigen::Vector3d& toward,
+                                    const std::vector<double>& facing, int cells_u, int cells_v);
+
+/// Moves (u, v) to the contour nearby, inside of [0,1]^2, by Newton's method. False when it does
+/// not arrive; (u, v) is then of no use.
+bool refine_contour(const Surface& face, const Eigen::Vector3d& toward, Eigen::Vector2d& at);
+
+}  // namespace bodyline::model
