@@ -11,6 +11,11 @@
 #include "model/net_surface.hpp"
 
 namespace bodyline::explore {
+namespace {
+
+constexpr int samples = 4;
+
+}  // namespace
 
 void draw_thumbnail(const model::BodyPlan& plan, const double* nets, int width,
                     std::span<std::uint8_t> pixels) {
@@ -25,6 +30,8 @@ void draw_thumbnail(const model::BodyPlan& plan, const double* nets, int width,
   io::RenderOptions options;
   options.width = width;
   options.height = int(thumbnail_shape(width).front());
+  options.quick = true;
+  options.samples = samples;
   // Waiting for its own tasks, a thread must not begin another variant with the same evaluator.
   tbb::this_task_arena::isolate([&] {
     const io::Picture picture = io::render(faces, options);
