@@ -18,6 +18,7 @@
 #include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
 #include "cli/shell_words.hpp"
+#include "cli/space_command.hpp"
 #include "cli/variables_command.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
@@ -31,6 +32,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_fit_command(program, context);
   add_deviation_command(program, context);
   add_explore_command(program, context);
+  add_space_command(program, context);
   add_variables_command(program, context);
   add_set_command(program, context);
   add_evaluate_command(program, context);

@@ -8,6 +8,7 @@
 #include "explore/hdf5_read.hpp"
 #include "explore/little_endian.hpp"
 #include "explore/read_study.hpp"
+#include "explore/variant_status.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -187,6 +188,12 @@ VariantRows StoreReader::read(std::uint64_t first, int count, bool pictures) con
     throw StoreError(path(), "is damaged: rows " + std::to_string(first) + " to " +
                                  std::to_string(first + std::uint64_t(count) - 1) +
                                  " cannot be read.");
+  }
+  const auto unknown = [&](int row) {
+    return rows.status[row] >= status_count || rows.cause[row] >= header().causes.size();
+  };
+  for (int row = 0; row < count; ++row) {
+    if (unknown(row)) throw StoreError(path(), "is damaged: a variant has an unknown status.");
   }
   if (pictures) return rows;
   rows.nets.clear();

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "io/input_error.hpp"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double weight_rounding = 1e-9;
 constexpr int ignored = -1;
+const std::set<std::string> other_columns{"id", "status", "cause",
+                                          "img"};  // of a table of variants
 
 std::vector<std::string> cells_of(std::string line) {
   if (line.ends_with('\r')) line.pop_back();
@@ -36,7 +39,7 @@ class ListReader {
     std::vector<std::string> known;
     for (const Column& column : columns_) known.push_back(column.name);
     for (std::string cell : cells_of(line)) {
-      if (cell.starts_with("out:") || cell == "img" || cell == "id") {
+      if (cell.starts_with("out:") || other_columns.count(cell) > 0) {
         places_.push_back(ignored);
         continue;
       }
