@@ -16,6 +16,7 @@
 #include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
 #include "cli/shell_words.hpp"
+#include "cli/sketch_command.hpp"
 #include "cli/variables_command.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
@@ -35,6 +36,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_export_command(program, context);
   add_convert_command(program, context);
   add_scan_command(program, context);
+  add_sketch_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {
