@@ -18,6 +18,7 @@
 #include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
 #include "cli/shell_words.hpp"
+#include "cli/sketch_command.hpp"
 #include "cli/space_command.hpp"
 #include "cli/strokes_command.hpp"
 #include "cli/variables_command.hpp"
@@ -43,6 +44,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_scan_command(program, context);
   add_outline_command(program, context);
   add_strokes_command(program, context);
+  add_sketch_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {

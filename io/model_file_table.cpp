@@ -126,6 +126,11 @@ const toml::array& FileTable::array(const toml::node& node, const std::string& p
   return values;
 }
 
+std::optional<double> FileTable::find_number(std::string_view name, double largest) const {
+  if (!has(name)) return std::nullopt;
+  return number(required(name), key(name), 1.0, largest);
+}
+
 double FileTable::number(const toml::node& node, const std::string& path, double scale,
                          double largest) const {
   if (!node.is_number()) file_->fail(path, must_be("a number", node));

@@ -46,6 +46,8 @@ class FileTable {
   bool flag_or(std::string_view name, bool otherwise) const;
   int integer(std::string_view name) const;
   std::int64_t whole(std::string_view name, std::int64_t least, std::int64_t most) const;
+  /// A finite number of at most `largest` in size; none when the key is missing.
+  std::optional<double> find_number(std::string_view name, double largest) const;
   std::vector<std::string> texts(std::string_view name, Count count) const;
 
   /// A finite number of at most `largest` in size.

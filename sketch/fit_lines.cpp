@@ -208,17 +208,15 @@ class LinesSearch {
     for (const LineState& state : now_.lines) {
       LineFit line{state.follows, 0.0, 0.0};
       const std::vector<Vector2d> picture = now_.picture(*state.line);
-      double squares = 0.0;
-      int count = 0;
+      std::vector<double> distances;
       for (std::size_t k = 0; k < state.feet.size(); ++k) {
         if (!(state.feet[k] > 0.0 && state.feet[k] < 1.0) || !has_foot(state, k)) continue;
-        const double off =
-            (curve_jet<2>(picture, state.feet[k]).point - state.line->points[k]).norm();
-        squares += off * off;
-        ++count;
-        line.largest = std::max(line.largest, off);
+        distances.push_back(
+            (curve_jet<2>(picture, state.feet[k]).point - state.line->points[k]).norm());
+        line.rms += distances.back() * distances.back();
       }
-      line.rms = std::sqrt(squares / std::max(1, count));
+      line.rms = std::sqrt(line.rms / double(std::max<std::size_t>(1, distances.size())));
+      line.p90 = quantile(distances, 0.9);
       fit.lines.push_back(line);
     }
     return fit;

@@ -13,7 +13,7 @@ namespace bodyline::sketch {
 struct LineFit {
   bool drawn_speed = false;  ///< the curve runs along the line as it was drawn
   double rms = 0.0;          ///< distance of the line from the curve between its ends, mm
-  double largest = 0.0;
+  double p90 = 0.0;          ///< nine tenths of its points are nearer, mm
 };
 
 struct LinesFit {

@@ -82,10 +82,10 @@ std::string sentence(const std::string& begin, double distance, const std::strin
 
 void add_contradictions(CurveReport& report, double length, const SketchOptions& options) {
   for (const CurveView& view : report.views)
-    if (view.largest > options.tolerance)
+    if (view.p90 > options.tolerance)
       report.contradictions.push_back(
-          sentence("the line drawn in the view " + model::view_name(view.view) + " is up to ",
-                   view.largest, " mm away from the curve that meets all views best"));
+          sentence("a tenth of the line drawn in the view " + model::view_name(view.view) + " is ",
+                   view.p90, " mm and more away from the curve that meets all views best"));
   const double allowed = std::max(options.tolerance, careless_ends * length);
   if (report.source == CurveSource::drawn && report.apart > allowed)
     report.contradictions.push_back(sentence(
@@ -136,7 +136,7 @@ SketchResult sketch_model(const model::Model& start, std::span<const model::Plac
     CurveReport& report = result.curves[lines[k].curve];
     if (report.source == CurveSource::missing) report.source = CurveSource::half_drawn;
     const LineFit& line = fit.lines[k];
-    report.views.push_back({lines[k].view, line.drawn_speed, line.rms, line.largest});
+    report.views.push_back({lines[k].view, line.drawn_speed, line.rms, line.p90});
   }
   for (std::size_t c = 0; c < start.curves.size(); ++c) {
     add_contradictions(result.curves[c], combined[c] ? combined[c]->length : 0.0, options);

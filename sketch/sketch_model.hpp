@@ -12,7 +12,8 @@
 namespace bodyline::sketch {
 
 struct SketchOptions {
-  double tolerance = 10.0;  ///< distance of a drawn line from its curve that is a contradiction, mm
+  double tolerance = 10.0;  ///< a drawn line of which a tenth is farther from its curve is a
+                            ///< contradiction, mm
 };
 
 /// One drawing of a curve.
@@ -20,7 +21,7 @@ struct CurveView {
   model::View view = model::View::side;
   bool drawn_speed = false;  ///< the curve runs along the line as it was drawn
   double rms = 0.0;          ///< distance of the line from the curve, mm
-  double largest = 0.0;
+  double p90 = 0.0;          ///< nine tenths of its points are nearer, mm
 };
 
 /// Where the shape of a curve comes from.
