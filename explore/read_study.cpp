@@ -9,6 +9,7 @@
 #include "explore/study_tables.hpp"
 #include "io/model_file_lookup.hpp"
 #include "io/read_model.hpp"
+#include "model/face_rule.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -98,13 +99,15 @@ Study read_study_text(const std::string& text, const std::filesystem::path& path
   const io::ModelFile file(text, path.string());
   const FileTable root(file, file.root(), "");
   root.allow_only({"format", "name", "note", "model", "choice", "blend", "variables", "metrics",
-                   "constraints", "sampler", "checks", "keep"},
+                   "constraints", "sampler", "checks", "keep", "nodes"},
                   "a study");
   check_format(root);
   Study study;
   study.name = root.text("name");
   study.note = root.text_or("note", "");
   study.folder = path.parent_path();
+  if (root.has("nodes")) study.nodes = int(root.whole("nodes", 8, model::max_nodes));
+  if (study.nodes % 8 != 0) root.fail("nodes", "must be a multiple of 8.");
   study.inputs.push_back({path.filename().string(), text});
   read_models(read_base(root, study), read, root, study);
   read_variables(root, study);

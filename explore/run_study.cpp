@@ -44,7 +44,9 @@ class Line {
     begin_block(begun.first);
     copy_rows(layout_, begun, 0, *block_, 0, begun.count);
     block_->count = begun.count;
-    progress_.done = next_;
+    // It was in the store before its rows were taken away.
+    progress_.done = begun.first + std::uint64_t(begun.count);
+    next_ = progress_.done;
   }
 
   // The next rows to measure, none when all are done or the user wants no more.

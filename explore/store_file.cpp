@@ -34,6 +34,8 @@ StoreFile::StoreFile(std::unique_ptr<AppendFile> file, const StoreReader& reader
 }
 
 void StoreFile::write(const EncodedBlock& block) {
+  const std::uint64_t end = block.first + std::uint64_t(block.rows);
+  if (end <= written_) return;
   for (std::size_t t = 0; t < tables_.size(); ++t) {
     std::uint64_t row = block.first;
     for (const std::vector<std::byte>& chunk : block.chunks[t]) {
@@ -43,7 +45,7 @@ void StoreFile::write(const EncodedBlock& block) {
       row = next;
     }
   }
-  written_ = block.first + std::uint64_t(block.rows);
+  written_ = end;
 }
 
 void StoreFile::commit(std::uint64_t rows) {

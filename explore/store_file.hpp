@@ -19,7 +19,7 @@ class StoreFile {
   StoreFile(std::unique_ptr<AppendFile> file, const StoreReader& reader);
 
   /// Writes the chunks of a block; of a block that was written before with fewer rows, those that
-  /// were not full.
+  /// were not full; nothing of one that has no new rows.
   void write(const EncodedBlock& block);
   /// Makes all written blocks part of the store, which then has so many rows.
   void commit(std::uint64_t rows);

@@ -121,6 +121,7 @@ struct Study {
   SamplerSpec sampler;
   Checks checks;
   Keep keep;
+  int nodes = 8;                   ///< Gauss nodes per direction on each face, for the energies
   std::vector<StudyInput> inputs;  ///< the study's own text first, then what it reads
 };
 

@@ -58,6 +58,7 @@ model::EvaluatorOptions evaluator_options(const Study& study) {
   model::EvaluatorOptions options;
   options.terms = metric_terms(study);
   options.stage = model::Stage::body;
+  options.nodes = study.nodes;
   return options;
 }
 

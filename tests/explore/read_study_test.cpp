@@ -107,6 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Weights",
                 with_variables("x = { vary = [\"cut.*\"], width = [0.1, 0.2], weights = [1] }"),
                 "belongs to a linked group"},
+        Refused{"OddNodes", study_text(base + "\nnodes = 12", shape, "bending = {}", sobol),
+                "nodes: must be a multiple of 8"},
         Refused{"NoMetrics", with_metrics(""), "a study measures something"},
         Refused{"UnknownMetric", with_metrics("weight = {}"),
                 "study.toml:7: metrics.weight: \"weight\" is not a metric"},
