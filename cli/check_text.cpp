@@ -33,7 +33,9 @@ std::string edge_table(const std::vector<model::EdgeCheck>& edges) {
                         width, model::edge_kind_name(edge.kind), model::stage_name(edge.stage),
                         edge.deviation.gap_mm, edge.deviation.normal_deviation_deg,
                         edge.deviation.curvature_jump_per_mm,
-                        edge.polynomial ? "" : "  not polynomial");
+                        !edge.polynomial       ? "  not polynomial"
+                        : edge.continuity == 2 ? "  G2"
+                                               : "");
   }
   return text + "\n";
 }

@@ -25,6 +25,7 @@ Json edge_json(const model::EdgeCheck& edge) {
           {"gap_mm", number(edge.deviation.gap_mm)},
           {"normal_deviation_deg", number(edge.deviation.normal_deviation_deg)},
           {"curvature_jump_per_mm", number(edge.deviation.curvature_jump_per_mm)},
+          {"continuity", edge.continuity},
           {"polynomial", edge.polynomial}};
 }
 

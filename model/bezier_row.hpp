@@ -54,4 +54,15 @@ std::array<Point, 3> bezier_jet(const Point* row, int degree, double t) {
   return {work[0], first, second};
 }
 
+/// The product of a row of numbers and a row, of degree p + q.
+template <class Point>
+void bezier_product(const double* factor, int p, const Point* row, int q, Point* product) {
+  for (int k = 0; k <= p + q; ++k) {
+    Point sum = 0.0 * row[0];
+    for (int i = std::max(0, k - q); i <= std::min(k, p); ++i)
+      sum += binomial(p, i) * binomial(q, k - i) / binomial(p + q, k) * factor[i] * row[k - i];
+    product[k] = sum;
+  }
+}
+
 }  // namespace bodyline::model

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "model/batch_bends.hpp"
 #include "model/batch_plan.hpp"
 #include "model/construction_lanes.hpp"
 #include "model/shaped_steps.hpp"
@@ -38,8 +39,14 @@ class LaneBuilder final : public BodyBuilder {
     shaped_.build(parameters, stage == Stage::base, nets_.data());
     construction_->build(batches_.tables(), static_cast<LastStage>(stage), parameters, nets_.data(),
                          memory_[0].bytes);
+    if (stage == Stage::body)
+      build_bends<double>(batches_.tables(), parameters, nets_.data(), memory_[0].bytes);
   }
   void pullback(const double* parameters, Stage stage, double* parameters_bar) override {
+    if (stage == Stage::body) {
+      bends_pullback<double>(batches_.tables(), parameters, memory_[0].bytes, nets_bar_.data(),
+                             parameters_bar);
+    }
     construction_->pullback(batches_.tables(), static_cast<LastStage>(stage), parameters,
                             memory_[0].bytes, nets_bar_.data(), parameters_bar);
     shaped_.pullback(parameters, stage == Stage::base, nets_bar_.data(), parameters_bar);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/batch_bends.hpp"
 #include "model/connect_corners.hpp"
 
 namespace bodyline::model {
@@ -69,9 +70,12 @@ JointStep plan_joint(const Model& model, const BodyPlan& plan, int index) {
   step.uncut = joint.uncut.value_or(-1);
   step.side[0] = plan_side(plan, joint.a, false);
   step.side[1] = plan_side(plan, joint.b, link.b_reversed);
+  step.continuity = joint.continuity;
+  step.across = joint.continuity == 2 ? bend_degree : 3;
   for (int side = 0; side < 2; ++side) {
-    const int degree = step.side[side].walk.count - 1;
-    step.net_degree = std::max(step.net_degree, side == step.uncut ? degree + 1 : degree);
+    // An uncut side has linear rates: one degree more in its handle, two in the row behind.
+    const int degree = step.side[side].walk.count - 1 + (side == step.uncut ? step.continuity : 0);
+    step.net_degree = std::max(step.net_degree, degree);
   }
   for (int side = 0; side < 2; ++side) {
     step.fullness[side] = plan.layout.fullness(index, side);
@@ -111,9 +115,10 @@ void plan_nets(BodyPlan& plan) {
   for (PatchStep& patch : plan.patches) patch.base_net = take(size(patch));
   plan.kept_begin = next;
   for (PatchStep& patch : plan.patches) patch.kept_net = take(size(patch));
-  for (JointStep& joint : plan.joints) joint.net = take(4 * (joint.net_degree + 1));
+  for (JointStep& joint : plan.joints)
+    joint.net = take((joint.across + 1) * (joint.net_degree + 1));
   for (CornerStep& corner : plan.corners) {
-    corner.net = take(corner_points);
+    corner.net = take(corner_points(corner.across));
     corner.blend = take(1);
   }
   plan.point_count = next;
@@ -139,15 +144,16 @@ void plan_faces(const Model& model, BodyPlan& plan) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const JointStep& step = plan.joints[j];
     const bool central = plan.links.joints[j].central;
-    plan.body_faces.push_back({model.joints[j].name, FaceKind::transition, step.net_degree, 3,
-                               step.net, -1, central, central,
+    plan.body_faces.push_back({model.joints[j].name, FaceKind::transition, step.net_degree,
+                               step.across, step.net, -1, central, central,
                                transition_inward(model, plan.links, int(j))});
   }
   for (std::size_t c = 0; c < model.corners.size(); ++c) {
     const CornerStep& step = plan.corners[c];
-    plan.body_faces.push_back({model.corners[c].name, FaceKind::corner, corner_degree,
-                               corner_degree, step.net, step.shape.seam ? step.blend : -1, false,
-                               false, plan.links.corners[c].inward});
+    const int degree = corner_degree(step.across);
+    plan.body_faces.push_back({model.corners[c].name, FaceKind::corner, degree, degree, step.net,
+                               step.shape.seam ? step.blend : -1, false, false,
+                               plan.links.corners[c].inward});
   }
 }
 
@@ -173,7 +179,12 @@ BodyPlan plan_body(const Model& model) {
   for (int j = 0; j < int(model.joints.size()); ++j)
     plan.joints.push_back(plan_joint(model, plan, j));
   for (const CornerLinks& link : plan.links.corners) {
-    plan.corners.push_back({{link.three_sided, link.seam}, 0, 0, link.edges});
+    CornerStep& corner =
+        plan.corners.emplace_back(CornerStep{{link.three_sided, link.seam}, 3, 0, 0, link.edges});
+    for (int e = 0; e < 4; ++e) {
+      if (link.three_sided && e == top) continue;
+      corner.across = std::max(corner.across, plan.joints[link.edges[e].joint].across);
+    }
   }
   plan_nets(plan);
   plan_faces(model, plan);

@@ -51,7 +51,9 @@ struct SeamStep {
 struct JointStep {
   int net_degree = 0;  ///< of the transition along the joint: the higher of the two patches', that
                        ///< of an uncut one counted as one more
-  int net = 0;         ///< offset; (net_degree + 1) x 4 points, from a to b fastest
+  int continuity = 1;  ///< with both kept patches: 1 or 2
+  int across = 3;      ///< degree of the transition across the joint: 5 with continuity 2
+  int net = 0;         ///< offset; (net_degree + 1) x (across + 1) points, from a to b fastest
   SideStep side[2];
   int fullness[2] = {0, 0};  ///< parameters
   int lean[2] = {0, 0};      ///< parameter of end 0; end 1 follows
@@ -64,8 +66,9 @@ struct JointStep {
 
 struct CornerStep {
   CornerShape shape;
-  int net = 0;    ///< offset of 49 points
-  int blend = 0;  ///< offset of the Gregory coefficient in the same arena
+  int across = 3;  ///< the highest degree across of the joints that end here
+  int net = 0;     ///< offset of corner_points(across) points
+  int blend = 0;   ///< offset of the Gregory coefficient in the same arena
   std::array<CornerEdgeLink, 4> edges;
 };
 

@@ -10,13 +10,14 @@ namespace {
 
 void append_edges(const Model& model, const BodyPlan& plan, Stage stage,
                   const std::vector<Surface>& faces, int samples, std::vector<EdgeCheck>& edges) {
-  int corner = 0;
+  int corner = 0, joint = 0;
   for (const BodyEdge& edge : list_edges(model, plan, stage)) {
     EdgeCheck check{edge.name, edge.kind, stage, edge_deviation(faces, edge, samples)};
     if (edge.kind == EdgeKind::corner) {
       check.pillar = plan.corners[corner++].shape.seam;
       check.polynomial = !faces[edge.sides.front().a.face].blend.has_value();
     }
+    if (edge.kind == EdgeKind::joint) check.continuity = plan.joints[joint++].continuity;
     edges.push_back(std::move(check));
   }
 }

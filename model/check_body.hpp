@@ -23,6 +23,7 @@ struct EdgeCheck {
   EdgeDeviation deviation;
   bool pillar = false;     ///< a corner where a seam ends
   bool polynomial = true;  ///< false where the corner patch has a Gregory term
+  int continuity = 1;      ///< that the model asks for: 2 at joints whose curvatures must agree
 };
 
 /// A face of the left half or the middle.

@@ -76,6 +76,12 @@ std::vector<std::string> check_findings(const BodyCheck& check, const CheckToler
     if (edge.deviation.normal_deviation_deg <= allowed_deg(edge, tolerances)) continue;
     findings.push_back(normal_sentence(check, edge));
   }
+  for (const EdgeCheck& edge : check.edges) {
+    const double jump = edge.deviation.curvature_jump_per_mm;
+    if (edge.continuity < 2 || jump <= tolerances.curvature_per_mm) continue;
+    findings.push_back(edge_title(edge) + " has continuity 2, but its curvatures jump by up to " +
+                       number("%.3g", jump) + " 1/mm.");
+  }
   return findings;
 }
 

@@ -9,6 +9,7 @@
 #include "model/elevation.hpp"
 #include "model/number_text.hpp"
 #include "model/side_geometry.hpp"
+#include "model/transition_bend.hpp"
 
 namespace bodyline::model {
 namespace {
@@ -117,10 +118,27 @@ void check_seam_cuts(const Model& model, const Connectivity& links) {
   }
 }
 
+// The transition of an uncut side with continuity 2 is of two degrees more than the patch.
+void check_continuity(const Model& model, const Connectivity& links, const Joint& joint) {
+  const std::string key = "joints." + joint.name + ".continuity";
+  if (joint.continuity != 1 && joint.continuity != 2)
+    throw ModelError(key, "is " + std::to_string(joint.continuity) + "; it must be 1 or 2");
+  if (joint.continuity == 1 || !joint.uncut) return;
+  const PatchSide& side = *joint.uncut == 0 ? joint.a : joint.b;
+  const PatchLinks& patch = links.patches[side.patch];
+  const int degree = along_v(side.side) ? patch.net_degree_v : patch.net_degree_u;
+  if (degree <= max_uncut_bend_degree) return;
+  throw ModelError(key, "is 2, but patch \"" + model.patches[side.patch].name +
+                            "\", which is not cut back, is of degree " + std::to_string(degree) +
+                            " along the joint; at most " + std::to_string(max_uncut_bend_degree) +
+                            " is possible with 2");
+}
+
 void check_joint_values(const Model& model, const Connectivity& links) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     const std::string key = "joints." + joint.name;
+    check_continuity(model, links, joint);
     for (int side = 0; side < 2; ++side) {
       if (!(joint.fullness[side] > min_fullness && joint.fullness[side] < max_fullness)) {
         throw ModelError(key + ".fullness", "is " + number_text(joint.fullness[side]) +

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/batch_bends.hpp"
 #include "model/batch_construction.hpp"
 #include "model/batch_plan.hpp"
 #include "model/shaped_steps.hpp"
@@ -31,10 +32,16 @@ class Construction {
   void build(const Real* parameters, Stage stage) {
     shaped_.build(parameters, stage == Stage::base, &nets[0].x);
     build_batches<Real>(batches_->tables(), last_stage(stage), parameters, &nets[0].x, storage());
+    if (stage == Stage::body)
+      build_bends<Real>(batches_->tables(), parameters, &nets[0].x, storage());
   }
 
   /// After build(parameters, stage): adds d / d parameter to `parameters_bar`. Consumes nets_bar.
   void pullback(const Real* parameters, Stage stage, Real* parameters_bar) {
+    if (stage == Stage::body) {
+      bends_pullback<Real>(batches_->tables(), parameters, storage(), &nets_bar[0].x,
+                           parameters_bar);
+    }
     batches_pullback<Real>(batches_->tables(), last_stage(stage), parameters, storage(),
                            &nets_bar[0].x, parameters_bar);
     shaped_.pullback(parameters, stage == Stage::base, &nets_bar[0].x, parameters_bar);

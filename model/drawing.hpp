@@ -38,6 +38,12 @@ struct Drawing {
   bool y_down = false;   ///< the file's own y points down: its point (x, y) is (x, -y) here
 };
 
+/// The name of a path that tells where a view lies in a drawing: a line from a point 1000 mm to the
+/// right of the model's origin to the origin and on to a point 1000 mm above it, as the view shows
+/// them.
+inline constexpr const char* axes_name = "axes";
+inline constexpr double axes_length = 1000.0;  ///< mm of the car
+
 /// A drawing laid into a view of the model: its paths are in the view's picture (view.hpp), in mm
 /// of the real car.
 struct PlacedDrawing {

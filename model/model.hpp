@@ -63,6 +63,7 @@ struct Joint {
   /// joint, as a multiple of the handle's own length. Not zero only on the seam side of a pillar
   /// foot (section 8).
   std::array<std::array<double, 2>, 2> lean{};
+  int continuity = 1;  ///< of the transition with both patches: 1 (normals) or 2 (curvatures too)
   std::optional<int> uncut;  ///< 0 when patch a, 1 when patch b is not cut back (section 6)
   std::string note;
 };

@@ -134,4 +134,43 @@ SplineCurve curve_sum(double factor_a, const SplineCurve& a, double factor_b,
   return result;
 }
 
+SplineCurve curve_derivative(const SplineCurve& curve) {
+  SplineCurve result{curve.degree - 1, curve.breaks, {}};
+  result.points.resize(curve.pieces() * result.degree + 1);
+  for (int k = 0; k < curve.pieces(); ++k) {
+    const Eigen::Vector3d* p = curve.piece(k);
+    const double length = curve.breaks[k + 1] - curve.breaks[k];
+    for (int i = 0; i < curve.degree; ++i)
+      result.piece(k)[i] = curve.degree / length * (p[i + 1] - p[i]);
+  }
+  return result;
+}
+
+SplineCurve curve_product(const std::vector<double>& polynomial, const SplineCurve& curve) {
+  const int degree = static_cast<int>(polynomial.size()) - 1;
+  SplineCurve result{curve.degree + degree, curve.breaks, {}};
+  result.points.resize(curve.pieces() * result.degree + 1);
+  std::vector<double> part(polynomial.size());
+  for (int k = 0; k < curve.pieces(); ++k) {
+    bezier_part(polynomial.data(), degree, curve.breaks[k], curve.breaks[k + 1], part.data());
+    bezier_product(part.data(), degree, curve.piece(k), curve.degree, result.piece(k));
+  }
+  return result;
+}
+
+SplineCurve quintic(const CurveJet& begin, const CurveJet& end) {
+  const Eigen::Vector3d a = begin.first / 5.0, b = begin.second / 20.0;
+  const Eigen::Vector3d c = end.first / 5.0, d = end.second / 20.0;
+  return {5,
+          {0.0, 1.0},
+          {begin.point, begin.point + a, begin.point + 2.0 * a + b, end.point - 2.0 * c + d,
+           end.point - c, end.point}};
+}
+
+SplineCurve cubic(const CurveJet& begin, const CurveJet& end) {
+  return {3,
+          {0.0, 1.0},
+          {begin.point, begin.point + begin.first / 3.0, end.point - end.first / 3.0, end.point}};
+}
+
 }  // namespace bodyline::model

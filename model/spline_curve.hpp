@@ -55,4 +55,16 @@ SplineCurve joined_curves(const std::vector<SplineCurve>& curves,
 /// factor_a a + factor_b b.
 SplineCurve curve_sum(double factor_a, const SplineCurve& a, double factor_b, const SplineCurve& b);
 
+/// The derivative of a curve of degree 2 or more whose pieces meet with equal derivatives.
+SplineCurve curve_derivative(const SplineCurve& curve);
+
+/// The curve times a polynomial over [0, 1], given by its Bezier points.
+SplineCurve curve_product(const std::vector<double>& polynomial, const SplineCurve& curve);
+
+/// One piece of degree 5 with given points, first and second derivatives at its ends.
+SplineCurve quintic(const CurveJet& begin, const CurveJet& end);
+
+/// One piece of degree 3 with given points and first derivatives at its ends.
+SplineCurve cubic(const CurveJet& begin, const CurveJet& end);
+
 }  // namespace bodyline::model

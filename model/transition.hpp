@@ -162,14 +162,20 @@ void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* tar
     handle[j] = raised_edge[j] + scaled(1.0 / 3.0, sum[j] + raised_lean[j]);
 }
 
+/// f and beta as linear functions along the edge, by their ends.
+template <class Real>
+struct HandleRates {
+  Real f[2] = {}, beta[2] = {};
+};
+
 /// Pullback of uncut_handle: adds to the adjoints of the side, of the two targets and of the
-/// neighbour's width.
+/// neighbour's width. `rates_bar` are adjoints that the rates have from elsewhere.
 template <class Real>
 void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<Real>* target,
                            const Real& neighbour_width, const UncutTrace<Real>& trace,
                            const Vec3<Real>* raised_edge_bar, const Vec3<Real>* handle_bar,
                            TransitionSide<Real>& bar, Vec3<Real>* target_bar,
-                           Real& neighbour_width_bar) {
+                           Real& neighbour_width_bar, HandleRates<Real> rates_bar = {}) {
   Vec3<Real> across[max_net_degree + 1], along[max_net_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
@@ -184,7 +190,7 @@ void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<R
   const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
   const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
   const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
-  Real f_bar[2] = {}, beta_bar[2] = {};
+  Real *f_bar = rates_bar.f, *beta_bar = rates_bar.beta;
   Vec3<Real> across_bar[max_net_degree + 1] = {}, along_bar[max_net_degree + 1] = {};
   multiply_linear_pullback(n, f, across, sum_bar, f_bar, across_bar);
   multiply_linear_pullback(n - 1, beta, along, lean_bar, beta_bar, along_bar);

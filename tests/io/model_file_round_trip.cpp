@@ -59,6 +59,7 @@ model::Model random_model(const model::Model& car, std::mt19937& random) {
   }
   for (auto& joint : model.joints) {
     joint.note = random_note(random);
+    joint.continuity = 1 + static_cast<int>(random() % 2);
     for (double& value : joint.fullness) value = between(0.01, 2.99);
     for (auto& side : joint.lean) {
       for (double& value : side) value *= value == 0.0 ? -1.0 : between(-2, 2);

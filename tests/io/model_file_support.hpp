@@ -67,7 +67,8 @@ inline std::vector<std::string> words(const model::Model& model) {
     }
   }
   for (const auto& joint : model.joints) {
-    list.insert(list.end(), {joint.name, side_text(joint.a), side_text(joint.b), joint.note,
+    list.insert(list.end(), {joint.name, side_text(joint.a), side_text(joint.b),
+                             std::to_string(joint.continuity), joint.note,
                              joint.uncut ? std::to_string(*joint.uncut) : ""});
   }
   for (const auto& seam : model.seams) {

@@ -23,7 +23,7 @@ TEST(CheckJson, HasTheDocumentedKeys) {
                                                   "findings", "warnings"}));
   EXPECT_EQ(keys(json["edges"][0]),
             (std::vector<std::string>{"name", "kind", "stage", "gap_mm", "normal_deviation_deg",
-                                      "curvature_jump_per_mm", "polynomial"}));
+                                      "curvature_jump_per_mm", "continuity", "polynomial"}));
   EXPECT_EQ(keys(json["patches"][0]),
             (std::vector<std::string>{"name", "kind", "stage", "mirrored", "folded",
                                       "max_normal_turn_deg", "worst_uv", "worst_point", "area_m2",

@@ -88,6 +88,11 @@ model::Model car_of_families(const std::string& name, std::mt19937& random) {
   return car;
 }
 
+model::Model with_bends(model::Model car, int every) {
+  for (std::size_t j = 0; j < car.joints.size(); j += every) car.joints[j].continuity = 2;
+  return car;
+}
+
 const model::EdgeCheck& edge_of(const model::BodyCheck& check, const std::string& name,
                                 model::EdgeKind kind, model::Stage stage) {
   for (const model::EdgeCheck& edge : check.edges) {

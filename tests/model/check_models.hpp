@@ -27,6 +27,9 @@ void set_family(model::Model& car, const std::string& patch, const std::string& 
 /// other patches are raised), and across the middle.
 model::Model car_of_families(const std::string& name, std::mt19937& random);
 
+/// The car with continuity 2 at all joints, or at every second one.
+model::Model with_bends(model::Model car, int every = 1);
+
 /// A closed box: four central patches in a ring (front, top, rear, bottom), one left side and its
 /// image; eight corners of three joints. Degrees 2 to 5, curves, shape, cuts, fullness, directions
 /// of curves, order of joints and apexes at random.

@@ -322,41 +322,43 @@ TEST(ConstructionStages, LiftedUncutSideIsAdjointToItsPullback) {
   expect_uncut_adjoint(-0.8, random);
 }
 
-TEST(ConstructionStages, CornerIsAdjointToItsPullback) {
-  std::mt19937 random(8);
+// D is the degree of the transitions across their joints.
+template <int D>
+void expect_corner_adjoint(std::mt19937& random) {
+  constexpr int points = model::corner_points(D), each = D + 1;
   for (const model::CornerShape shape : {model::CornerShape{false, true}, {true, false}}) {
     const auto read = [=](auto reader, auto* edges) {
       for (int e = 0; e < 4; ++e) {
-        reader.points(4, edges[e].curve);
-        reader.points(4, edges[e].inward);
+        reader.points(each, edges[e].curve);
+        reader.points(each, edges[e].inward);
       }
     };
     const StageFunction stage{
         [=](const Numbers<Complex>& x) {
-          model::TransitionEnd<Complex> edges[4];
+          model::TransitionEnd<Complex, D> edges[4];
           read(Reader<Complex>{x}, edges);
           model::CornerTrace<Complex> trace;
-          model::Vec3<Complex> net[model::corner_points], blend;
+          model::Vec3<Complex> net[points], blend;
           model::corner_net(model::corner_mix<Complex>(shape), edges, trace, net, &blend);
           Numbers<Complex> result;
-          append(result, model::corner_points, net);
+          append(result, points, net);
           append(result, 1, &blend);
           return result;
         },
         [=](const Numbers<double>& x, const Numbers<double>& w) {
-          model::TransitionEnd<double> edges[4], bar[4] = {};
+          model::TransitionEnd<double, D> edges[4], bar[4] = {};
           read(Reader<double>{x}, edges);
           model::CornerTrace<double> trace;
-          model::Vec3<double> net[model::corner_points], blend;
+          model::Vec3<double> net[points], blend;
           model::corner_net(model::corner_mix<double>(shape), edges, trace, net, &blend);
           Reader<double> bars{w};
-          bars.points(model::corner_points, net);
+          bars.points(points, net);
           model::corner_net_pullback(model::corner_mix<double>(shape), edges, trace, net,
                                      bars.point(), bar);
           Numbers<double> result;
           for (int e = 0; e < 4; ++e) {
-            append(result, 4, bar[e].curve);
-            append(result, 4, bar[e].inward);
+            append(result, each, bar[e].curve);
+            append(result, each, bar[e].inward);
           }
           return result;
         }};
@@ -367,19 +369,29 @@ TEST(ConstructionStages, CornerIsAdjointToItsPullback) {
     const double inward[4][2] = {{0, 1}, {0, 1}, {1, 0}, {1, 0}};
     Numbers<double> x;
     for (int e = 0; e < 4; ++e) {
-      const Numbers<double> noise = random_numbers(random, 24);
-      for (int t = 0; t < 8; ++t) {
+      const Numbers<double> noise = random_numbers(random, 6 * each);
+      for (int t = 0; t < 2 * each; ++t) {
         for (int c = 0; c < 3; ++c) {
-          const double along = t / 3.0;
-          const double plain = c == 2  ? 0.0
-                               : t < 4 ? ends[e][0][c] * (1 - along) + ends[e][1][c] * along
-                                       : inward[e][c];
+          const double along = double(t) / D;
+          const double plain = c == 2     ? 0.0
+                               : t < each ? ends[e][0][c] * (1 - along) + ends[e][1][c] * along
+                                          : inward[e][c];
           x.push_back(plain + 0.1 * noise[3 * t + c]);
         }
       }
     }
     expect_adjoint(stage, x, random);
   }
+}
+
+TEST(ConstructionStages, CornerIsAdjointToItsPullback) {
+  std::mt19937 random(8);
+  expect_corner_adjoint<3>(random);
+}
+
+TEST(ConstructionStages, CornerOfQuinticEdgesIsAdjointToItsPullback) {
+  std::mt19937 random(9);
+  expect_corner_adjoint<5>(random);
 }
 
 }  // namespace

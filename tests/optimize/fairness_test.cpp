@@ -223,6 +223,47 @@ TEST_P(FairFamily, ConvergesAndKeepsEveryEdgeSmooth) {
   EXPECT_NE(after.shape_v, before.shape_v);
 }
 
+// Model 2 with continuity 2 at all joints.
+class FairBends : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Cuts, FairBends, testing::Values(0.1, 0.3),
+                         [](const auto& test) { return test.param < 0.2 ? "narrow" : "wide"; });
+
+TEST_P(FairBends, ConvergesAndKeepsEveryCurvature) {
+  model::Model body = car("model2");
+  for (model::Joint& joint : body.joints) joint.continuity = 2;
+  FairOptions options;
+  options.nodes = 8;
+  options.bounds.max_cut = GetParam();
+  const FairResult result = fair(body, options);
+  EXPECT_TRUE(result.status == Status::converged || result.status == Status::small_improvement)
+      << status_words(result.status);
+  EXPECT_LE(35.0 * result.end.terms[0], result.start.terms[0]);
+  EXPECT_TRUE(result.folded_faces.empty());
+  int bends = 0;
+  for (const model::EdgeCheck& edge : model::check_body(result.model).edges) {
+    if (edge.continuity < 2) continue;
+    EXPECT_LE(edge.deviation.curvature_jump_per_mm, 1e-9) << edge.name;
+    ++bends;
+  }
+  EXPECT_EQ(bends, 22);
+}
+
+TEST(Fair, GradientOfABodyWithBendsIsTheDerivative) {
+  model::Model body = car("model2");
+  for (model::Joint& joint : body.joints) joint.continuity = 2;
+  const auto context = std::make_shared<model::BodyContext>(body);
+  model::EvaluatorOptions options;
+  options.terms = {model::Term{}};
+  model::Evaluator evaluator(
+      context, context->map.select(std::vector<std::string>{"cut.*", "lean.*", "fullness.*"}),
+      options);
+  FairnessProblem problem(evaluator, 5.0);
+  Eigen::VectorXd x = 0.5 * (problem.lower() + problem.upper());
+  const GradientReport report = check_gradient(problem, x);
+  EXPECT_NEAR(report.worst_slope, 2.0, 0.1);
+  EXPECT_LE(report.worst_error, 1e-5);
+}
+
 TEST(Fair, RefusesToHoldEverything) {
   FairOptions options = patch_only("hood");
   options.hold = {"*"};

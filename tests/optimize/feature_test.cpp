@@ -89,7 +89,7 @@ class FeatureFit : public testing::Test {
 
   model::Model fit(const std::vector<FeatureLine>& lines) const {
     FitOptions options;
-    options.starts = {Vector3d::Zero()};
+    options.starts = {FitStart{}};
     options.body_rounds = 8;
     const auto drawings =
         traced_outlines(truth_, {model::View::side, model::View::front, model::View::top});

@@ -27,7 +27,7 @@ constexpr double held = 100.0;  // weight of the strain, as the program has it
 
 FitOptions outline_options() {
   FitOptions options;
-  options.starts = {Eigen::Vector3d::Zero()};
+  options.starts = {FitStart{}};
   return options;
 }
 
