@@ -32,7 +32,7 @@ class PolylineReader {
       if (!number_from_word(next_word(words), point[axis])) return pass_heading(rest);
     }
     if (!next_word(words).empty()) fail("a point is x y z; there is more.");
-    if (!(point.cwiseAbs().maxCoeff() <= largest_drawn_coordinate))
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > largest_drawn_coordinate)
       fail("coordinates are finite numbers up to 1e9.");
     if (++count_ > most_drawn_segments)
       fail("there are over " + std::to_string(most_drawn_segments) + " points.");
