@@ -103,6 +103,14 @@ void move_to_scan(Context& context, const PlacedScan& scan, const model::Model& 
   placed.drawings = optimize::shifted(std::move(placed.drawings), shift);
 }
 
+// Whether every drawing shows a whole outline; a part of one does not tell sizes.
+bool all_closed(const std::vector<model::PlacedDrawing>& drawings) {
+  return std::all_of(drawings.begin(), drawings.end(), [](const model::PlacedDrawing& drawing) {
+    return std::any_of(drawing.paths.begin(), drawing.paths.end(),
+                       [](const model::DrawnPath& path) { return path.closed; });
+  });
+}
+
 // A body drawn out from a corner of its box to the sizes that are known.
 model::Model stretched(model::Model body, const Eigen::AlignedBox3d& box,
                        const Eigen::Vector3d& size) {
@@ -193,7 +201,8 @@ DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bou
     files = io::parse_views(request.views);
     const io::PlaceOptions options = place_options(bounds, start, scan);
     placed = place_views(files, options);
-    if (!scan) target.start = stretched(start, options.body, placed.size);
+    if (!scan && all_closed(placed.drawings))
+      target.start = stretched(start, options.body, placed.size);
     target.words = size_words(files, placed.size);
     for (const std::string& note : placed.notes) target.words += "\n" + note;
   }

@@ -30,7 +30,8 @@
 namespace bodyline::cli {
 namespace {
 
-constexpr double held_shape = 100.0;  // weight of the strain where a scan does not show the shape
+// Weights of outlines beside a scan, and of the strain without and with one.
+constexpr double beside_scan = 0.3, held_shape = 100.0, held_with_scan = 1.0;
 
 struct Request {
   std::string start;
@@ -66,10 +67,12 @@ std::vector<optimize::FitTargetMaker> targets_of(const FittedCar& car, const mod
                                                 options.coarse_points, options.fine_points));
   }
   if (!car.drawn.outlines.empty())
-    targets.push_back(optimize::outline_fit_target(car.drawn.outlines));
+    targets.push_back(
+        optimize::outline_fit_target(car.drawn.outlines, car.scan ? beside_scan : 1.0));
   if (!car.drawn.features.empty())
     targets.push_back(optimize::feature_target(start, car.drawn.features));
-  if (!car.scan) targets.push_back(optimize::strain_target(held_shape));
+  if (!car.scan || !car.drawn.outlines.empty())
+    targets.push_back(optimize::strain_target(car.scan ? held_with_scan : held_shape));
   if (!car.bounds.dimensions.empty())
     targets.push_back(optimize::dimension_target(start, car.bounds.dimensions));
   if (!car.bounds.points.empty()) targets.push_back(optimize::hard_point_target(car.bounds.points));
@@ -109,7 +112,7 @@ void run(Context& context, Request& request) {
   if (!request.scan.path.empty()) car.scan = place_scan(context, request.scan, start);
   car.drawn = place_drawn(context, request.drawn, car.bounds, start, car.scan);
   // Outlines say nothing of where curves lie on the surface: the start decides that, not the fit.
-  if (!car.scan) request.options.starts = {Eigen::Vector3d::Zero()};
+  if (!car.scan) request.options.starts = {optimize::FitStart{}};
   car.result = fit(context, car, car.drawn.start, request.options);
   car.result.model.name = std::filesystem::path(request.output.path).stem().string();
   io::write_model(car.result.model, request.output.path,

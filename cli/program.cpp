@@ -19,6 +19,7 @@
 #include "cli/set_command.hpp"
 #include "cli/shell_words.hpp"
 #include "cli/space_command.hpp"
+#include "cli/strokes_command.hpp"
 #include "cli/variables_command.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
@@ -41,6 +42,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_convert_command(program, context);
   add_scan_command(program, context);
   add_outline_command(program, context);
+  add_strokes_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {

@@ -92,7 +92,7 @@ model::WheelArch read_arch(const FileTable& table, const std::string& key,
 
 void read_joints(const FileTable& root, model::Model& model) {
   for (const auto& [name, table] : entries(root, "joints")) {
-    table.allow_only({"between", "fullness", "lean", "uncut", "note"}, "a joint");
+    table.allow_only({"between", "fullness", "lean", "continuity", "uncut", "note"}, "a joint");
     model::Joint joint;
     joint.name = name;
     const auto between = read_between(name, table, model);
@@ -104,6 +104,7 @@ void read_joints(const FileTable& root, model::Model& model) {
       joint.lean[0] = lean->pair_or("a", joint.lean[0], largest_parameter);
       joint.lean[1] = lean->pair_or("b", joint.lean[1], largest_parameter);
     }
+    if (table.has("continuity")) joint.continuity = table.integer("continuity");
     joint.uncut = read_uncut(table, joint, model);
     joint.note = table.text_or("note", "");
     model.joints.push_back(std::move(joint));

@@ -4,7 +4,7 @@
 
 #include "io/model_file_lookup.hpp"
 #include "io/model_file_names.hpp"
-#include "model/basis.hpp"
+#include "model/family.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -13,7 +13,8 @@ using model::Side;
 
 /// Points of a curve of degree 2 to 9.
 constexpr Count points_of_curve{3, 10};
-constexpr Count shape_values{0, 8};
+/// At most one for each of ten rows.
+constexpr Count shape_values{0, 10};
 /// Largest coordinate in mm; a car that is 1 km long is a mistake in the units.
 constexpr double largest_coordinate = 1e6;
 constexpr double largest_parameter = 1e6;
@@ -49,7 +50,7 @@ void read_sides(const FileTable& table, const model::Model& model, model::Patch&
 
 std::string read_basis(const FileTable& table) {
   const std::string basis = table.text_or("basis", model::Patch{}.basis);
-  const std::vector<std::string>& known = model::basis_names();
+  const std::vector<std::string> known = model::family_names();
   if (std::find(known.begin(), known.end(), basis) == known.end()) {
     table.fail("basis", "is " + in_quotes(basis) + ", but there is no basis of this name" +
                             suggestion(basis, known) + "; known are " + listed(known) + ".");

@@ -1,6 +1,7 @@
 #include "io/model_file_warnings.hpp"
 
-#include "model/basis.hpp"
+#include "model/connect.hpp"
+#include "model/family.hpp"
 #include "model/number_text.hpp"
 
 namespace bodyline::io {
@@ -10,9 +11,11 @@ void append_warnings(const ModelFile& file, const model::Model& model,
   for (const model::Patch& patch : model.patches) {
     for (const bool along_u : {true, false}) {
       const std::vector<double>& shape = along_u ? patch.shape_u : patch.shape_v;
-      const model::GeBezierBasis basis(static_cast<int>(shape.size()) + 1);
+      const model::Side side = along_u ? model::Side::v0 : model::Side::u0;
+      const auto basis = model::family(patch.basis, model::side_degree(model, patch, side));
       for (std::size_t k = 0; k < shape.size(); ++k) {
-        const auto [lower, upper] = basis.shape_range(static_cast<int>(k));
+        const auto [lower, upper] =
+            basis->shape_range(static_cast<int>(k) % basis->shape_count());
         if (shape[k] >= lower && shape[k] <= upper) continue;
         const std::string key = "patches." + patch.name + ".shape." + (along_u ? "u" : "v") + "[" +
                                 std::to_string(k) + "]";

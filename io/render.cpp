@@ -145,7 +145,10 @@ Picture traced(const Painter& painter, const RenderOptions& options) {
 
 // Chords stay far below a pixel at the sizes allowed; all faces alike, so that no cracks open
 // between them.
-int cells_per_face(std::size_t faces) { return faces <= 40 ? 64 : 40; }
+int cells_per_face(std::size_t faces) {
+  if (faces > 1000) return 8;  // pieces of faces, each of them small
+  return faces <= 40 ? 64 : 40;
+}
 
 // What is enough for a picture of some hundred pixels.
 constexpr int quick_cells = 8;

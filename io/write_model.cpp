@@ -178,6 +178,8 @@ void write_joint(const Model& model, const model::Joint& joint, Lines& lines) {
   lines.line("fullness", numbers_text(joint.fullness));
   if (!same_bits(joint.lean[0], upright)) lines.line("lean.a", numbers_text(joint.lean[0]));
   if (!same_bits(joint.lean[1], upright)) lines.line("lean.b", numbers_text(joint.lean[1]));
+  if (joint.continuity != model::Joint{}.continuity)
+    lines.line("continuity", std::to_string(joint.continuity));
   if (joint.uncut) {
     const int patch = *joint.uncut == 0 ? joint.a.patch : joint.b.patch;
     lines.line("uncut", "\"" + item(model.patches, patch).name + "\"");

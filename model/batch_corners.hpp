@@ -32,9 +32,9 @@ template <class Real, class Number>
   using Io = Pack<Real>;
   auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
   read_corner_edges(batch, nets, memory.edges);
-  Vec3<Real> net[corner_points], blend;
+  Vec3<Real> net[corner_points()], blend;
   corner_net(corner_mix<Real>(batch), memory.edges, memory.trace, net, &blend);
-  Io::write_net(nets, batch.net, corner_points, net);
+  Io::write_net(nets, batch.net, corner_points(), net);
   Io::write_point(nets, batch.blend, 0, Io::numbers(batch.seam) * blend);
 }
 
@@ -43,8 +43,8 @@ template <class Real, class Number>
                                        Number* nets_bar) {
   using Io = Pack<Real>;
   const auto& memory = memory_at<CornerMemory<Real>, Real>(storage, batch.memory);
-  Vec3<Real> net_bar[corner_points];
-  Io::read_net(nets_bar, batch.net, corner_points, net_bar);
+  Vec3<Real> net_bar[corner_points()];
+  Io::read_net(nets_bar, batch.net, corner_points(), net_bar);
   const Vec3<Real> blend_bar = Io::numbers(batch.seam) * Io::read_point(nets_bar, batch.blend, 0);
   TransitionEnd<Real> edges_bar[4] = {};
   const CornerMix<Real> mix = corner_mix<Real>(batch);

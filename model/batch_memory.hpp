@@ -35,9 +35,9 @@ struct SideMemory {
   UncutTrace<Real> uncut;
 };
 
-template <class Real>
+template <class Real, int D = 3>
 struct CornerMemory {
-  TransitionEnd<Real> edges[4];
+  TransitionEnd<Real, D> edges[4];
   CornerTrace<Real> trace;
 };
 

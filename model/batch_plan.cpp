@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "model/batch_bends.hpp"
 #include "model/batch_memory.hpp"
 
 namespace bodyline::model {
@@ -42,8 +43,9 @@ class BatchPlanner {
 
   void plan_patches() {
     std::map<std::pair<int, int>, std::vector<const PatchStep*>> groups;
-    for (const PatchStep& patch : plan_.patches)
-      groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
+    for (const PatchStep& patch : plan_.patches) {
+      if (!patch.shaped) groups[{patch.degree_u, patch.degree_v}].push_back(&patch);
+    }
     for (const auto& [degrees, group] : groups) {
       for_each_batch(group, [&](const std::vector<const PatchStep*>& steps, int count) {
         add_patches(steps, count);
@@ -78,13 +80,16 @@ class BatchPlanner {
   }
 
   void plan_sides() {
-    std::map<std::tuple<SideKind, int, bool>, std::vector<JointSide>> groups;
+    std::map<std::tuple<SideKind, int, bool, int>, std::vector<JointSide>> groups;
     for (const JointStep& joint : plan_.joints) {
       for (int which = 0; which < 2; ++which) {
-        const SideKind kind = joint.uncut < 0        ? SideKind::plain
-                              : joint.uncut == which ? SideKind::uncut
-                                                     : SideKind::raised;
-        groups[{kind, joint.degree, joint.leaning[which]}].push_back({&joint, which});
+        const int degree = joint.side[which].walk.count - 1, raise = joint.net_degree - degree;
+        const SideKind kind = side_kind(joint, which);
+        if (joint.continuity == 2) {
+          add_bend_side(kind, {{&joint, which}});
+        } else {
+          groups[{kind, degree, joint.leaning[which], raise}].push_back({&joint, which});
+        }
       }
     }
     for (const auto& [signature, group] : groups) {
@@ -97,11 +102,19 @@ class BatchPlanner {
 
   void plan_corners() {
     std::vector<const CornerStep*> group;
-    for (const CornerStep& corner : plan_.corners) group.push_back(&corner);
+    for (const CornerStep& corner : plan_.corners) {
+      if (corner.across == bend_degree) {
+        result_.bend_corners_.push_back(
+            corner_batch({&corner}, 1, memory_numbers<CornerMemory<double, bend_degree>>()));
+      } else {
+        group.push_back(&corner);
+      }
+    }
     std::stable_partition(group.begin(), group.end(),
                           [](const CornerStep* c) { return !c->shape.three_sided; });
     for_each_batch(group, [&](const std::vector<const CornerStep*>& steps, int count) {
-      add_corners(steps, count);
+      result_.corners_.push_back(
+          corner_batch(steps, count, memory_numbers<CornerMemory<double>>()));
     });
   }
 
@@ -117,6 +130,10 @@ class BatchPlanner {
     tables.seams = result_.seams_.data();
     tables.sides = result_.sides_.data();
     tables.corners = result_.corners_.data();
+    tables.bend_side_count = int(result_.bend_sides_.size());
+    tables.bend_corner_count = int(result_.bend_corners_.size());
+    tables.bend_sides = result_.bend_sides_.data();
+    tables.bend_corners = result_.bend_corners_.data();
   }
 
  private:
@@ -228,26 +245,48 @@ class BatchPlanner {
     return table;
   }
 
+  static SideKind side_kind(const JointStep& joint, int which) {
+    if (joint.uncut == which) return SideKind::uncut;
+    return joint.net_degree > joint.side[which].walk.count - 1 ? SideKind::raised : SideKind::plain;
+  }
+
   void add_sides(SideKind kind, const std::vector<JointSide>& sides, int count) {
+    result_.sides_.push_back(side_batch(kind, sides, count, memory_numbers<SideMemory<double>>()));
+  }
+
+  void add_bend_side(SideKind kind, const std::vector<JointSide>& side) {
+    SideBatch batch = side_batch(kind, side, 1, memory_numbers<BendSideMemory<double>>());
+    using At = const JointSide&;
+    batch.third = offsets(side, batch.degree + 1,
+                          [&](At at, int k) { return row_point(plan_, at.side(), k, 2); });
+    batch.bend_row = offsets(side, 1, [](At at, int) { return row_of(at, 2); });
+    result_.bend_sides_.push_back(batch);
+  }
+
+  // The first point of row `depth` of a transition, counted from one side of its joint.
+  static int row_of(const JointSide& at, int depth) {
+    const int column = at.which == 0 ? depth : at.joint->across - depth;
+    return numbers_per_point * (at.joint->net + column);
+  }
+
+  SideBatch side_batch(SideKind kind, const std::vector<JointSide>& sides, int count,
+                       int of_each_lane) {
     SideBatch batch;
     batch.kind = kind;
     batch.leaning = sides.front().joint->leaning[sides.front().which] && kind != SideKind::uncut;
-    batch.degree = sides.front().joint->degree;
+    batch.degree = sides.front().side().walk.count - 1;
+    batch.raise = sides.front().joint->net_degree - batch.degree;
     batch.lanes = int(sides.size());
     batch.count = count;
-    batch.memory = take_memory(sides.size(), memory_numbers<SideMemory<double>>());
+    batch.memory = take_memory(sides.size(), of_each_lane);
     using At = const JointSide&;
     const int points = batch.degree + 1;
     batch.edge =
         offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 0); });
     batch.second =
         offsets(sides, points, [&](At at, int k) { return row_point(plan_, at.side(), k, 1); });
-    batch.edge_row = offsets(sides, 1, [](At at, int) {
-      return numbers_per_point * (at.joint->net + (at.which == 0 ? 0 : 3));
-    });
-    batch.handle_row = offsets(sides, 1, [](At at, int) {
-      return numbers_per_point * (at.joint->net + (at.which == 0 ? 1 : 2));
-    });
+    batch.edge_row = offsets(sides, 1, [](At at, int) { return row_of(at, 0); });
+    batch.handle_row = offsets(sides, 1, [](At at, int) { return row_of(at, 1); });
     batch.fullness = offsets(sides, 1, [](At at, int) { return at.joint->fullness[at.which]; });
     batch.lean = offsets(sides, 1, [](At at, int) { return at.joint->lean[at.which]; });
     batch.cut_lo = offsets(sides, 1, [](At at, int) { return at.side().cut_lo; });
@@ -264,15 +303,16 @@ class BatchPlanner {
           numbers(sides, 1, [&](At at, int) { return double(other(at).walk.across); });
       batch.other_width = width_table(sides, true, other);
     }
-    result_.sides_.push_back(batch);
+    return batch;
   }
 
-  void add_corners(const std::vector<const CornerStep*>& steps, int count) {
+  CornerBatch corner_batch(const std::vector<const CornerStep*>& steps, int count,
+                           int of_each_lane) {
     using Step = const CornerStep*;
     CornerBatch batch;
     batch.lanes = int(steps.size());
     batch.count = count;
-    batch.memory = take_memory(steps.size(), memory_numbers<CornerMemory<double>>());
+    batch.memory = take_memory(steps.size(), of_each_lane);
     const auto three_sided = [](Step step) { return step->shape.three_sided; };
     batch.some_apex = std::any_of(steps.begin(), steps.end(), three_sided);
     batch.all_apex = std::all_of(steps.begin(), steps.end(), three_sided);
@@ -281,23 +321,30 @@ class BatchPlanner {
     const auto edge_of = [](Step step, int e) -> const CornerEdgeLink& {
       return step->edges[step->shape.three_sided && e == top ? bottom : e];
     };
-    // Point t of edge e, `depth` rows from the transition's end.
+    // Point t of edge e, `depth` rows from the transition's end; where an edge has fewer points
+    // than another its last one stands in.
+    const int points = steps.front()->across + 1;
     const auto point = [&](Step step, int row, int depth) {
-      const CornerEdgeLink& edge = edge_of(step, row / 4);
+      const CornerEdgeLink& edge = edge_of(step, row / points);
       const JointStep& joint = plan_.joints[edge.joint];
-      const int column = edge.reversed ? 3 - row % 4 : row % 4;
-      return numbers_per_point *
-             (joint.net + 4 * (edge.end == 0 ? depth : joint.net_degree - depth) + column);
+      const int t = std::min(row % points, joint.across);
+      const int column = edge.reversed ? joint.across - t : t;
+      const int along = edge.end == 0 ? depth : joint.net_degree - depth;
+      return numbers_per_point * (joint.net + (joint.across + 1) * along + column);
     };
-    batch.end = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 0); });
-    batch.next = offsets(steps, 16, [&](Step step, int row) { return point(step, row, 1); });
+    batch.end = offsets(steps, 4 * points, [&](Step step, int row) { return point(step, row, 0); });
+    batch.next =
+        offsets(steps, 4 * points, [&](Step step, int row) { return point(step, row, 1); });
+    batch.points = offsets(steps, 4, [&](Step step, int e) {
+      return plan_.joints[edge_of(step, e).joint].across + 1;
+    });
     batch.degree = numbers(steps, 4, [&](Step step, int e) {
       return double(plan_.joints[edge_of(step, e).joint].net_degree);
     });
     batch.net = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->net; });
     batch.blend = offsets(steps, 1, [](Step step, int) { return numbers_per_point * step->blend; });
     batch.seam = numbers(steps, 1, [](Step step, int) { return step->shape.seam ? 1.0 : 0.0; });
-    result_.corners_.push_back(batch);
+    return batch;
   }
 
   BatchPlan& result_;

@@ -27,6 +27,8 @@ class BatchPlan {
   std::vector<SeamBatch> seams_;
   std::vector<SideBatch> sides_;
   std::vector<CornerBatch> corners_;
+  std::vector<SideBatch> bend_sides_;
+  std::vector<CornerBatch> bend_corners_;
   BatchTables tables_;
 };
 

@@ -64,7 +64,7 @@ template <class Real, class Number>
   auto& memory = memory_at<SideMemory<Real>, Real>(storage, batch.memory);
   const TransitionSide<Real>& side = memory.side;
   read_side(batch, parameters, nets, memory.side);
-  Vec3<Real> raised[max_patch_degree + 2], low[max_patch_degree + 1], handle[max_patch_degree + 2];
+  Vec3<Real> raised[max_net_degree + 2], low[max_net_degree + 1], handle[max_net_degree + 2];
   const Vec3<Real>* edge = side.edge;
   if (batch.kind == SideKind::plain) {
     transition_handle(batch.degree, side, batch.leaning, handle);
@@ -79,8 +79,11 @@ template <class Real, class Number>
                  memory.uncut);
     edge = raised;
   }
-  const int last = batch.kind == SideKind::plain ? batch.degree : batch.degree + 1;
-  for (int k = 0; k <= last; ++k) {
+  if (batch.raise > 1) {
+    elevate_times(batch.degree + 1, batch.raise - 1, raised);
+    elevate_times(batch.degree + 1, batch.raise - 1, handle);
+  }
+  for (int k = 0; k <= batch.degree + batch.raise; ++k) {
     Io::write_point(nets, batch.edge_row, transition_row_step * k, edge[k]);
     Io::write_point(nets, batch.handle_row, transition_row_step * k, handle[k]);
   }
@@ -133,11 +136,14 @@ template <class Real, class Number>
   using Io = Pack<Real>;
   const auto& memory = memory_at<SideMemory<Real>, Real>(storage, batch.memory);
   const TransitionSide<Real>& side = memory.side;
-  const int last = batch.kind == SideKind::plain ? batch.degree : batch.degree + 1;
-  Vec3<Real> edge_bar[max_patch_degree + 2], handle_bar[max_patch_degree + 2];
-  for (int k = 0; k <= last; ++k) {
+  Vec3<Real> edge_bar[max_net_degree + 2], handle_bar[max_net_degree + 2];
+  for (int k = 0; k <= batch.degree + batch.raise; ++k) {
     edge_bar[k] = Io::read_point(nets_bar, batch.edge_row, transition_row_step * k);
     handle_bar[k] = Io::read_point(nets_bar, batch.handle_row, transition_row_step * k);
+  }
+  if (batch.raise > 1) {
+    elevate_times_pullback(batch.degree + 1, batch.raise - 1, edge_bar);
+    elevate_times_pullback(batch.degree + 1, batch.raise - 1, handle_bar);
   }
   TransitionSide<Real> bar;
   clear(batch.degree, bar);
@@ -145,7 +151,7 @@ template <class Real, class Number>
     for (int k = 0; k <= batch.degree; ++k) bar.edge[k] = edge_bar[k];
     transition_handle_pullback(batch.degree, side, batch.leaning, handle_bar, bar);
   } else if (batch.kind == SideKind::raised) {
-    Vec3<Real> low_bar[max_patch_degree + 1] = {};
+    Vec3<Real> low_bar[max_net_degree + 1] = {};
     elevate_once_pullback(batch.degree, edge_bar, bar.edge);
     elevate_once_pullback(batch.degree, handle_bar, low_bar);
     transition_handle_pullback(batch.degree, side, batch.leaning, low_bar, bar);

@@ -38,8 +38,8 @@ struct WidthTable {
 };
 
 enum class SideKind {
-  plain,   ///< both sides of the joint are cut
-  raised,  ///< the other side is uncut: one degree higher
+  plain,   ///< of the transition's own degree along the joint
+  raised,  ///< of a lower degree: the other side is uncut or of a higher degree
   uncut
 };
 
@@ -48,13 +48,16 @@ struct SideBatch {
   int lanes = 0, count = 0, memory = 0;
   SideKind kind = SideKind::plain;
   bool leaning = false;
-  int degree = 0;
+  int degree = 0;  ///< of the kept edge, along the joint
+  int raise = 0;   ///< how much higher the transition's degree is; at least 1 unless plain
   const int *edge = nullptr, *second = nullptr;  ///< [point][lane]: rows of the kept net
   const int *edge_row = nullptr,
             *handle_row = nullptr;  ///< [lane]: first points of the transition's rows
   const int *fullness = nullptr, *lean = nullptr, *cut_lo = nullptr;  ///< [lane]
   const double* across = nullptr;  ///< [lane]: degree across the side
   WidthTable width;                ///< 1 at an uncut side
+  /// Sides of joints with continuity 2 only: rows of the kept net, and the transition's third row.
+  const int *third = nullptr, *bend_row = nullptr;
   /// Uncut sides only: the free edge of the other patch's base net, [end][at the joint,
   /// next][lane].
   const int* free_edge = nullptr;
@@ -62,8 +65,8 @@ struct SideBatch {
   WidthTable other_width;
 };
 
-/// Numbers between neighbouring points of a transition's row.
-inline constexpr int transition_row_step = 12;
+/// Numbers between neighbouring points of a transition's row; of a quintic transition's.
+inline constexpr int transition_row_step = 12, bend_row_step = 18;
 
 /// Corner patches.
 struct CornerBatch {
@@ -74,6 +77,8 @@ struct CornerBatch {
   const int *end = nullptr,
             *next = nullptr;  ///< [edge][point][lane]: end row of the transition, the row before it
   const double* degree = nullptr;  ///< [edge][lane]: of the transition along its joint
+  /// Beside joints with continuity 2 only: [edge], 4 or 6; tables above then have 6 points an edge.
+  const int* points = nullptr;
   const int *net = nullptr, *blend = nullptr;
   const double* seam = nullptr;  ///< [lane]: 1 where a seam ends, else 0
 };
@@ -82,10 +87,15 @@ struct BatchTables {
   int number_count = 0;  ///< numbers in the array of all nets
   int memory = 0;        ///< numbers that all batches keep
   int patch_count = 0, seam_count = 0, side_count = 0, corner_count = 0;
+  int bend_side_count = 0, bend_corner_count = 0;
   const PatchBatch* patches = nullptr;
   const SeamBatch* seams = nullptr;
   const SideBatch* sides = nullptr;
   const CornerBatch* corners = nullptr;
+  /// Sides of joints with continuity 2, and the corners that touch such a joint: one lane each,
+  /// built after all others (batch_bends.hpp).
+  const SideBatch* bend_sides = nullptr;
+  const CornerBatch* bend_corners = nullptr;
 };
 
 /// The last stage to build, as `Stage`.

@@ -1,22 +1,34 @@
 #include "model/body_plan.hpp"
 
+#include <algorithm>
+
+#include "model/batch_bends.hpp"
 #include "model/connect_corners.hpp"
 
 namespace bodyline::model {
 namespace {
 
+// What is built several patches at once.
+constexpr const char* plain_family = "ge-bezier";
+
 PatchStep plan_patch(const Model& model, const BodyPlan& plan, int index) {
   const Patch& patch = model.patches[index];
   PatchStep step;
-  step.degree_u = plan.links.patches[index].degree_u;
-  step.degree_v = plan.links.patches[index].degree_v;
+  const PatchLinks& links = plan.links.patches[index];
+  step.degree_u = links.net_degree_u;
+  step.degree_v = links.net_degree_v;
+  step.curve_degree_u = links.degree_u;
+  step.curve_degree_v = links.degree_v;
+  step.family = patch.basis;
+  step.shaped = patch.basis != plain_family || step.degree_u != step.curve_degree_u ||
+                step.degree_v != step.curve_degree_v;
   step.shape_u = plan.layout.shape_u(index, 0);
   step.shape_v = plan.layout.shape_v(index, 0);
   step.cut = plan.layout.cut(index);
-  std::vector<char> known((step.degree_u + 1) * (step.degree_v + 1), 0);
+  std::vector<char> known((step.curve_degree_u + 1) * (step.curve_degree_v + 1), 0);
   for (Side side : all_sides) {
     const SideCurve& use = patch.sides[static_cast<int>(side)];
-    const SideWalk walk = side_walk(side, step.degree_u, step.degree_v);
+    const SideWalk walk = side_walk(side, step.curve_degree_u, step.curve_degree_v);
     for (int k = 0; k < walk.count; ++k) {
       const int at = walk.start + k * walk.step;
       if (known[at]) continue;
@@ -55,11 +67,16 @@ JointStep plan_joint(const Model& model, const BodyPlan& plan, int index) {
   const Joint& joint = model.joints[index];
   const JointLinks& link = plan.links.joints[index];
   JointStep step;
-  step.degree = link.degree;
   step.uncut = joint.uncut.value_or(-1);
-  step.net_degree = link.degree + (step.uncut >= 0 ? 1 : 0);
   step.side[0] = plan_side(plan, joint.a, false);
   step.side[1] = plan_side(plan, joint.b, link.b_reversed);
+  step.continuity = joint.continuity;
+  step.across = joint.continuity == 2 ? bend_degree : 3;
+  for (int side = 0; side < 2; ++side) {
+    // An uncut side has linear rates: one degree more in its handle, two in the row behind.
+    const int degree = step.side[side].walk.count - 1 + (side == step.uncut ? step.continuity : 0);
+    step.net_degree = std::max(step.net_degree, degree);
+  }
   for (int side = 0; side < 2; ++side) {
     step.fullness[side] = plan.layout.fullness(index, side);
     step.lean[side] = plan.layout.lean(index, side, 0);
@@ -81,9 +98,9 @@ SeamStep plan_seam(const Model& model, const BodyPlan& plan, int index) {
   const SeamLinks& link = plan.links.seams[index];
   const bool backwards = link.corner_end == 0;
   SeamStep step;
-  step.degree = link.degree;
   step.a = plan_side(plan, seam.a, backwards);
   step.b = plan_side(plan, seam.b, link.b_reversed != backwards);
+  step.degree = step.a.walk.count - 1;
   return step;
 }
 
@@ -98,9 +115,10 @@ void plan_nets(BodyPlan& plan) {
   for (PatchStep& patch : plan.patches) patch.base_net = take(size(patch));
   plan.kept_begin = next;
   for (PatchStep& patch : plan.patches) patch.kept_net = take(size(patch));
-  for (JointStep& joint : plan.joints) joint.net = take(4 * (joint.net_degree + 1));
+  for (JointStep& joint : plan.joints)
+    joint.net = take((joint.across + 1) * (joint.net_degree + 1));
   for (CornerStep& corner : plan.corners) {
-    corner.net = take(corner_points);
+    corner.net = take(corner_points(corner.across));
     corner.blend = take(1);
   }
   plan.point_count = next;
@@ -126,15 +144,16 @@ void plan_faces(const Model& model, BodyPlan& plan) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const JointStep& step = plan.joints[j];
     const bool central = plan.links.joints[j].central;
-    plan.body_faces.push_back({model.joints[j].name, FaceKind::transition, step.net_degree, 3,
-                               step.net, -1, central, central,
+    plan.body_faces.push_back({model.joints[j].name, FaceKind::transition, step.net_degree,
+                               step.across, step.net, -1, central, central,
                                transition_inward(model, plan.links, int(j))});
   }
   for (std::size_t c = 0; c < model.corners.size(); ++c) {
     const CornerStep& step = plan.corners[c];
-    plan.body_faces.push_back({model.corners[c].name, FaceKind::corner, corner_degree,
-                               corner_degree, step.net, step.shape.seam ? step.blend : -1, false,
-                               false, plan.links.corners[c].inward});
+    const int degree = corner_degree(step.across);
+    plan.body_faces.push_back({model.corners[c].name, FaceKind::corner, degree, degree, step.net,
+                               step.shape.seam ? step.blend : -1, false, false,
+                               plan.links.corners[c].inward});
   }
 }
 
@@ -160,7 +179,12 @@ BodyPlan plan_body(const Model& model) {
   for (int j = 0; j < int(model.joints.size()); ++j)
     plan.joints.push_back(plan_joint(model, plan, j));
   for (const CornerLinks& link : plan.links.corners) {
-    plan.corners.push_back({{link.three_sided, link.seam}, 0, 0, link.edges});
+    CornerStep& corner =
+        plan.corners.emplace_back(CornerStep{{link.three_sided, link.seam}, 3, 0, 0, link.edges});
+    for (int e = 0; e < 4; ++e) {
+      if (link.three_sided && e == top) continue;
+      corner.across = std::max(corner.across, plan.joints[link.edges[e].joint].across);
+    }
   }
   plan_nets(plan);
   plan_faces(model, plan);

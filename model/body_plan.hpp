@@ -15,11 +15,16 @@ namespace bodyline::model {
 
 /// One patch: base net, cut, kept net. Net offsets count points.
 struct PatchStep {
-  int degree_u = 0, degree_v = 0;
+  int degree_u = 0, degree_v = 0;              ///< of its nets
+  int curve_degree_u = 0, curve_degree_v = 0;  ///< of its curves; lower in some families
+  std::string family;
+  /// Built by itself (shaped_patch.hpp): of another family than GE-Bezier, or of a higher degree
+  /// than its curves.
+  bool shaped = false;
   int base_net = 0, kept_net = 0;
   int shape_u = 0, shape_v = 0, cut = 0;  ///< parameters
-  /// Boundary points: parameter of the point and whether it is mirrored, for each net index on the
-  /// boundary.
+  /// Boundary points: parameter of the point and whether it is mirrored, for each index on the
+  /// boundary of a net of the curves' degrees.
   struct BoundaryPoint {
     int net_index = 0;
     int parameter = 0;
@@ -44,9 +49,11 @@ struct SeamStep {
 };
 
 struct JointStep {
-  int degree = 0;      ///< of the patches, along the joint
-  int net_degree = 0;  ///< of the transition, one more when a side is uncut
-  int net = 0;         ///< offset; (net_degree + 1) x 4 points, from a to b fastest
+  int net_degree = 0;  ///< of the transition along the joint: the higher of the two patches', that
+                       ///< of an uncut one counted as one more
+  int continuity = 1;  ///< with both kept patches: 1 or 2
+  int across = 3;      ///< degree of the transition across the joint: 5 with continuity 2
+  int net = 0;         ///< offset; (net_degree + 1) x (across + 1) points, from a to b fastest
   SideStep side[2];
   int fullness[2] = {0, 0};  ///< parameters
   int lean[2] = {0, 0};      ///< parameter of end 0; end 1 follows
@@ -59,8 +66,9 @@ struct JointStep {
 
 struct CornerStep {
   CornerShape shape;
-  int net = 0;    ///< offset of 49 points
-  int blend = 0;  ///< offset of the Gregory coefficient in the same arena
+  int across = 3;  ///< the highest degree across of the joints that end here
+  int net = 0;     ///< offset of corner_points(across) points
+  int blend = 0;   ///< offset of the Gregory coefficient in the same arena
   std::array<CornerEdgeLink, 4> edges;
 };
 

@@ -19,14 +19,15 @@ double angle_to_free_edge(const BodyPlan& plan, int joint, int end,
   const std::vector<Vector3d>& kept = body[side.patch].net;
   const std::vector<Vector3d>& whole = base[step.side[1 - step.uncut].patch].net;
   const Surface& transition = body[plan.patches.size() + joint];
-  const int corner = side.walk.start + (end == 0 ? 0 : step.degree * side.walk.step);
+  const int corner = side.walk.start + (end == 0 ? 0 : (side.walk.count - 1) * side.walk.step);
   const int along = corner + (end == 0 ? side.walk.step : -side.walk.step);
   const Vector3d normal =
       (kept[along] - kept[corner]).cross(kept[corner + side.walk.inward] - kept[corner]);
   const int row = end == 0 ? 0 : step.net_degree;
-  const Vector3d handle = step.uncut == 0
-                              ? Vector3d(transition.point(row, 1) - transition.point(row, 0))
-                              : Vector3d(transition.point(row, 2) - transition.point(row, 3));
+  const Vector3d handle =
+      step.uncut == 0
+          ? Vector3d(transition.point(row, 1) - transition.point(row, 0))
+          : Vector3d(transition.point(row, step.across - 1) - transition.point(row, step.across));
   const Vector3d free_edge = whole[step.free_edge[end][1]] - whole[step.free_edge[end][0]];
   // Turned by a right angle in the plane, both keep the angle between them.
   const Vector3d a = normal.cross(handle), b = normal.cross(free_edge);

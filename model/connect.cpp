@@ -1,6 +1,7 @@
 #include "model/connect.hpp"
 
 #include "model/connect_corners.hpp"
+#include "model/connect_degrees.hpp"
 #include "model/connect_values.hpp"
 #include "model/connect_vertices.hpp"
 #include "model/side_geometry.hpp"
@@ -63,7 +64,6 @@ void connect_joints(const Model& model, Connectivity& links) {
     link.b_reversed = check_pair(model, joint.a, joint.b, joint.name, key + ".between");
     claim_side(links, model, joint.a, {SideRole::joint, k, 0}, key + ".between");
     claim_side(links, model, joint.b, {SideRole::joint, k, 1}, key + ".between");
-    link.degree = side_degree(model, model.patches[joint.a.patch], joint.a.side);
     link.central = model.patches[joint.a.patch].central && model.patches[joint.b.patch].central;
     for (int end = 0; end < 2; ++end) {
       link.vertices[end] = links.patches[joint.a.patch].vertices[side_vertex(joint.a.side, end)];
@@ -79,7 +79,6 @@ void connect_seams(const Model& model, Connectivity& links) {
     link.b_reversed = check_pair(model, seam.a, seam.b, seam.name, key + ".between");
     claim_side(links, model, seam.a, {SideRole::seam, k, 0}, key + ".between");
     claim_side(links, model, seam.b, {SideRole::seam, k, 1}, key + ".between");
-    link.degree = side_degree(model, model.patches[seam.a.patch], seam.a.side);
   }
 }
 
@@ -159,6 +158,7 @@ Connectivity connect(const Model& model) {
   connect_seams(model, links);
   check_curve_use(model, links);
   connect_corners(model, links);
+  set_net_degrees(model, links);
   check_values(model, links);
   orient_patches(model, links);
   orient_corners(model, links);

@@ -33,7 +33,10 @@ struct SideLink {
 };
 
 struct PatchLinks {
-  int degree_u = 0, degree_v = 0;
+  int degree_u = 0, degree_v = 0;  ///< of the curves
+  /// Of the patch's nets: at least those of the curves, what its family needs, and equal on both
+  /// sides of a seam.
+  int net_degree_u = 0, net_degree_v = 0;
   std::array<SideLink, 4> sides;
   /// Vertices at (0,0), (0,1), (1,0), (1,1). Curves that end in one vertex share that point.
   std::array<int, 4> vertices{-1, -1, -1, -1};
@@ -41,7 +44,6 @@ struct PatchLinks {
 };
 
 struct JointLinks {
-  int degree = 0;           ///< along the joint, of both patches
   bool b_reversed = false;  ///< the side of b runs against the joint's direction
   bool central = false;     ///< between two central patches: its own mirror image
   std::array<int, 2> vertices{-1, -1};
@@ -49,7 +51,6 @@ struct JointLinks {
 };
 
 struct SeamLinks {
-  int degree = 0;
   bool b_reversed = false;
   int corner = -1;
   int corner_end = 1;  ///< end (in a's direction) at which the corner is

@@ -5,9 +5,11 @@
 #include <limits>
 #include <set>
 
+#include "model/connect_shapes.hpp"
 #include "model/elevation.hpp"
 #include "model/number_text.hpp"
 #include "model/side_geometry.hpp"
+#include "model/transition_bend.hpp"
 
 namespace bodyline::model {
 namespace {
@@ -38,15 +40,6 @@ void check_curve(const Curve& curve) {
     for (int c = 0; c < 3; ++c)
       check_finite(curve.points[j][c], key + "[" + std::to_string(j) + "]");
   }
-}
-
-void check_shape(const std::vector<double>& shape, int degree, const std::string& key) {
-  if (int(shape.size()) != degree - 1) {
-    throw ModelError(key, "has " + std::to_string(shape.size()) + " values; a patch of degree " +
-                              std::to_string(degree) + " in this direction has " +
-                              std::to_string(degree - 1));
-  }
-  for (double value : shape) check_finite(value, key);
 }
 
 void check_cut_order(const std::array<double, 2>& cut, const std::string& key) {
@@ -105,16 +98,6 @@ void check_central(const Patch& patch) {
                                          number_text(patch.cut_v[1]) +
                                          "]; on a central patch the two add up to 1");
   }
-  const int count = int(patch.shape_v.size());
-  for (int k = 0; k < count; ++k) {
-    if (patch.shape_v[k] != patch.shape_v[count - 1 - k]) {
-      throw ModelError(key + ".shape.v",
-                       "is not symmetric, as on a central patch it must be: value " +
-                           std::to_string(k) + " is " + number_text(patch.shape_v[k]) + ", value " +
-                           std::to_string(count - 1 - k) + " is " +
-                           number_text(patch.shape_v[count - 1 - k]));
-    }
-  }
 }
 
 // The kept ranges of both patches along a seam are the same piece of its curve.
@@ -135,10 +118,27 @@ void check_seam_cuts(const Model& model, const Connectivity& links) {
   }
 }
 
+// The transition of an uncut side with continuity 2 is of two degrees more than the patch.
+void check_continuity(const Model& model, const Connectivity& links, const Joint& joint) {
+  const std::string key = "joints." + joint.name + ".continuity";
+  if (joint.continuity != 1 && joint.continuity != 2)
+    throw ModelError(key, "is " + std::to_string(joint.continuity) + "; it must be 1 or 2");
+  if (joint.continuity == 1 || !joint.uncut) return;
+  const PatchSide& side = *joint.uncut == 0 ? joint.a : joint.b;
+  const PatchLinks& patch = links.patches[side.patch];
+  const int degree = along_v(side.side) ? patch.net_degree_v : patch.net_degree_u;
+  if (degree <= max_uncut_bend_degree) return;
+  throw ModelError(key, "is 2, but patch \"" + model.patches[side.patch].name +
+                            "\", which is not cut back, is of degree " + std::to_string(degree) +
+                            " along the joint; at most " + std::to_string(max_uncut_bend_degree) +
+                            " is possible with 2");
+}
+
 void check_joint_values(const Model& model, const Connectivity& links) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     const std::string key = "joints." + joint.name;
+    check_continuity(model, links, joint);
     for (int side = 0; side < 2; ++side) {
       if (!(joint.fullness[side] > min_fullness && joint.fullness[side] < max_fullness)) {
         throw ModelError(key + ".fullness", "is " + number_text(joint.fullness[side]) +
@@ -240,13 +240,7 @@ void check_numbers(const Model& model) {
       if (curve < 0 || curve >= int(model.curves.size()))
         throw ModelError(key + "." + side_name(side), "names no curve of this model");
     }
-    const int degree_u = side_degree(model, patch, Side::v0),
-              degree_v = side_degree(model, patch, Side::u0);
-    // Opposite sides of different degree are refused later, and with the better sentence.
-    if (side_degree(model, patch, Side::v1) == degree_u)
-      check_shape(patch.shape_u, degree_u, key + ".shape.u");
-    if (side_degree(model, patch, Side::u1) == degree_v)
-      check_shape(patch.shape_v, degree_v, key + ".shape.v");
+    check_shapes(model, patch);
     check_cut_order(patch.cut_u, key + ".cut.u");
     check_cut_order(patch.cut_v, key + ".cut.v");
     check_central(patch);

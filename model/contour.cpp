@@ -55,9 +55,8 @@ Vector2d root_between(const Surface& face, const Vector3d& toward, const Vector2
 // Marching squares. Edges of the grid are numbered: first those along v, then those along u.
 class Marcher {
  public:
-  Marcher(const Surface& face, const Vector3d& toward, const std::vector<double>& values,
-          int cells_u, int cells_v)
-      : face_(face), toward_(toward), values_(values), m_(cells_u), n_(cells_v) {}
+  Marcher(const Surface& face, const Vector3d& toward, const FacingGrid& grid)
+      : face_(face), toward_(toward), values_(grid.facing), m_(grid.cells_u), n_(grid.cells_v) {}
 
   std::vector<Contour> contours();
 
@@ -158,21 +157,29 @@ std::vector<Contour> Marcher::contours() {
 
 }  // namespace
 
-std::vector<double> facing_values(const Surface& face, const Vector3d& toward, int cells_u,
-                                  int cells_v) {
-  std::vector<double> values;
-  values.reserve(std::size_t(cells_u + 1) * (cells_v + 1));
+FacingGrid facing_grid(const Surface& face, const Vector3d& toward, int cells_u, int cells_v) {
+  // A sine below this may be that of a degenerate corner, where only the limit counts.
+  constexpr double degenerate_sine = 1e-6;
+  FacingGrid grid{cells_u, cells_v, {}, {}};
   for (int i = 0; i <= cells_u; ++i) {
     for (int j = 0; j <= cells_v; ++j) {
-      values.push_back(outward_normal(face, double(i) / cells_u, double(j) / cells_v).dot(toward));
+      const double u = double(i) / cells_u, v = double(j) / cells_v;
+      const SurfaceJet at = jet(face, u, v, 1);
+      const Vector3d normal = at.d[1].cross(at.d[2]);
+      const double scale = std::max(at.d[1].squaredNorm(), at.d[2].squaredNorm());
+      const bool regular = normal.norm() > degenerate_sine * scale;
+      const double facing = (regular ? normal.normalized().dot(toward) * (face.inward ? -1.0 : 1.0)
+                                     : outward_normal(face, u, v).dot(toward));
+      grid.positions.push_back(at.d[0]);
+      grid.facing.push_back(facing);
     }
   }
-  return values;
+  return grid;
 }
 
 std::vector<Contour> trace_contours(const Surface& face, const Vector3d& toward,
-                                    const std::vector<double>& facing, int cells_u, int cells_v) {
-  return Marcher(face, toward, facing, cells_u, cells_v).contours();
+                                    const FacingGrid& grid) {
+  return Marcher(face, toward, grid).contours();
 }
 
 bool refine_contour(const Surface& face, const Vector3d& toward, Vector2d& at) {

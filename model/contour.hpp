@@ -14,16 +14,23 @@ struct Contour {
   bool closed = false;  ///< the last point is followed by the first
 };
 
-/// The outward normals of a face times the unit vector `toward` the eye, at the nodes of a grid of
-/// cells_u x cells_v cells, v fastest; NaN where there is no normal.
-std::vector<double> facing_values(const Surface& face, const Eigen::Vector3d& toward, int cells_u,
-                                  int cells_v);
+/// What a parallel view shows of a face at the nodes of a grid of cells_u x cells_v cells, v
+/// fastest.
+struct FacingGrid {
+  int cells_u = 0, cells_v = 0;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<double> facing;  ///< outward normal times `toward`; NaN where there is no normal
+};
 
-/// The contours of a face that its grid of facing_values shows: those that cross an edge of a cell
-/// an odd number of times. Where the face itself is edge-on (a flat wall) there is none. A point
-/// lies in every edge that is crossed; `refine_contour` finds those between.
+/// Looks at a face; `toward` is the unit vector towards the eye.
+FacingGrid facing_grid(const Surface& face, const Eigen::Vector3d& toward, int cells_u,
+                       int cells_v);
+
+/// The contours of a face that its grid shows: those that cross an edge of a cell an odd number of
+/// times. Where the face itself is edge-on (a flat wall) there is none. A point lies in every edge
+/// that is crossed; `refine_contour` finds those between.
 std::vector<Contour> trace_contours(const Surface& face, const Eigen::Vector3d& toward,
-                                    const std::vector<double>& facing, int cells_u, int cells_v);
+                                    const FacingGrid& grid);
 
 /// Moves (u, v) to the contour nearby, inside of [0,1]^2, by Newton's method. False when it does
 /// not arrive; (u, v) is then of no use.

@@ -5,23 +5,26 @@
 #include "model/plane_solve.hpp"
 #include "model/vec3.hpp"
 
-/// The corner patch where three or four transitions end: a bicubically blended Coons patch V(x, y)
-/// of degree (6,6), G1 with all of them (docs/mathematics.md, section 7).
+/// The corner patch where three or four transitions end: a bicubically blended Coons patch V(x, y),
+/// G1 with all of them (docs/mathematics.md, section 7). D is the degree of the transitions across
+/// their joints: 3, and then V is of degree (6,6), or 5 where a joint has continuity 2, and V of
+/// degree (8,8).
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-inline constexpr int corner_degree = 6;
-inline constexpr int corner_points = (corner_degree + 1) * (corner_degree + 1);
+/// Degree of a corner patch, and its points, over edges of degree D.
+constexpr int corner_degree(int d = 3) { return d + 3; }
+constexpr int corner_points(int d = 3) { return (d + 4) * (d + 4); }
 
 /// Edges of a corner patch: y = 0 and y = 1 run along x, x = 0 and x = 1 along y.
 enum CornerEdge { bottom, top, left, right };
 
 /// The end of one transition, in the direction of the corner patch's edge.
-template <class Real>
+template <class Real, int D = 3>
 struct TransitionEnd {
-  Vec3<Real> curve[4];   ///< the edge itself
-  Vec3<Real> inward[4];  ///< the transition's derivative along the joint, as a cubic in the edge's
-                         ///< parameter
+  Vec3<Real> curve[D + 1];   ///< the edge itself
+  Vec3<Real> inward[D + 1];  ///< the transition's derivative along the joint, of degree D in the
+                             ///< edge's parameter
 };
 
 /// Field across an edge: kappa(t) inward(t) + mu(t) curve'(t), kappa and mu cubic (Hermite data at
@@ -54,27 +57,29 @@ struct EndJet {
   Vec3<Real> inward, inward_derivative;  ///< q, q'
 };
 
-template <class Real>
-EndJet<Real> end_jet(const TransitionEnd<Real>& edge, int end) {
+template <class Real, int D>
+EndJet<Real> end_jet(const TransitionEnd<Real, D>& edge, int end) {
+  constexpr double first = D, second = D * (D - 1);
   const Vec3<Real>*c = edge.curve, *q = edge.inward;
   if (end == 0) {
-    return {scaled(3.0, c[1] - c[0]), scaled(6.0, c[0] - scaled(2.0, c[1]) + c[2]), q[0],
-            scaled(3.0, q[1] - q[0])};
+    return {scaled(first, c[1] - c[0]), scaled(second, c[0] - scaled(2.0, c[1]) + c[2]), q[0],
+            scaled(first, q[1] - q[0])};
   }
-  return {scaled(3.0, c[3] - c[2]), scaled(6.0, c[1] - scaled(2.0, c[2]) + c[3]), q[3],
-          scaled(3.0, q[3] - q[2])};
+  return {scaled(first, c[D] - c[D - 1]), scaled(second, c[D - 2] - scaled(2.0, c[D - 1]) + c[D]),
+          q[D], scaled(first, q[D] - q[D - 1])};
 }
 
-template <class Real>
-void end_jet_pullback(int end, const EndJet<Real>& bar, TransitionEnd<Real>& edge_bar) {
+template <class Real, int D>
+void end_jet_pullback(int end, const EndJet<Real>& bar, TransitionEnd<Real, D>& edge_bar) {
+  constexpr double second = D * (D - 1);
   Vec3<Real>*c = edge_bar.curve, *q = edge_bar.inward;
-  const int at = end == 0 ? 0 : 3, next = end == 0 ? 1 : 2, after = end == 0 ? 2 : 1;
-  const double sign = end == 0 ? 1.0 : -1.0;
-  c[next] += scaled(3.0 * sign, bar.tangent) - scaled(12.0, bar.second);
-  c[at] += scaled(6.0, bar.second) - scaled(3.0 * sign, bar.tangent);
-  c[after] += scaled(6.0, bar.second);
-  q[at] += bar.inward - scaled(3.0 * sign, bar.inward_derivative);
-  q[next] += scaled(3.0 * sign, bar.inward_derivative);
+  const int at = end == 0 ? 0 : D, next = end == 0 ? 1 : D - 1, after = end == 0 ? 2 : D - 2;
+  const double first = end == 0 ? D : -D;
+  c[next] += scaled(first, bar.tangent) - scaled(2.0 * second, bar.second);
+  c[at] += scaled(second, bar.second) - scaled(first, bar.tangent);
+  c[after] += scaled(second, bar.second);
+  q[at] += bar.inward - scaled(first, bar.inward_derivative);
+  q[next] += scaled(first, bar.inward_derivative);
 }
 
 /// Adjoints of the two end jets at a vertex.
@@ -207,10 +212,10 @@ template <class Real>
 struct ApexTangents {
   Vec3<Real> left, right;
 };
-template <class Real>
-ApexTangents<Real> apex_tangents(const TransitionEnd<Real>* edges) {
-  return {scaled(3.0, edges[left].curve[3] - edges[left].curve[2]),
-          scaled(3.0, edges[right].curve[3] - edges[right].curve[2])};
+template <class Real, int D>
+ApexTangents<Real> apex_tangents(const TransitionEnd<Real, D>* edges) {
+  return {scaled(double(D), edges[left].curve[D] - edges[left].curve[D - 1]),
+          scaled(double(D), edges[right].curve[D] - edges[right].curve[D - 1])};
 }
 
 /// Where three joints meet the edge y = 1 shrinks to the apex: there the fields of the two long
@@ -219,16 +224,16 @@ template <class Real>
 struct ApexSlopes {
   PlaneCoordinates<Real> left, right;
 };
-template <class Real>
-ApexSlopes<Real> apex_slopes(const TransitionEnd<Real>* edges) {
+template <class Real, int D>
+ApexSlopes<Real> apex_slopes(const TransitionEnd<Real, D>* edges) {
   const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
   const Vec3<Real> twist = r.tangent - l.tangent;
   return {plane_solve(l.inward, l.tangent, twist), plane_solve(r.inward, r.tangent, twist)};
 }
 
 /// Pullback of apex_slopes, to the jets of the left (x) and the right edge (y).
-template <class Real>
-VertexBar<Real> apex_slopes_pullback(const TransitionEnd<Real>* edges,
+template <class Real, int D>
+VertexBar<Real> apex_slopes_pullback(const TransitionEnd<Real, D>* edges,
                                      const ApexSlopes<Real>& slopes,
                                      const ApexSlopes<Real>& slopes_bar) {
   const EndJet<Real> l = end_jet(edges[left], 1), r = end_jet(edges[right], 1);
@@ -244,38 +249,39 @@ VertexBar<Real> apex_slopes_pullback(const TransitionEnd<Real>* edges,
   return bar;
 }
 
-/// The field as a row of degree 6: kappa q + mu c'.
-template <class Real>
-void field_row(const TransitionEnd<Real>& edge, const CornerField<Real>& field, Vec3<Real>* row) {
+/// The field as a row of degree D + 3: kappa q + mu c'.
+template <class Real, int D>
+void field_row(const TransitionEnd<Real, D>& edge, const CornerField<Real>& field,
+               Vec3<Real>* row) {
   const PlaneCoordinates<Real>*v = field.value, *s = field.slope;
   const Real third(1.0 / 3.0);
   const Real kappa[4] = {v[0].p, v[0].p + third * s[0].p, v[1].p - third * s[1].p, v[1].p};
   const Real mu[4] = {v[0].q, v[0].q + third * s[0].q, v[1].q - third * s[1].q, v[1].q};
-  Vec3<Real> tangent[3], along[6], raised[7];
-  for (int i = 0; i < 3; ++i) tangent[i] = scaled(3.0, edge.curve[i + 1] - edge.curve[i]);
-  multiply<3, 2>(mu, tangent, along);
-  elevate<5, 1>(along, raised);
-  multiply<3, 3>(kappa, edge.inward, row);
-  for (int k = 0; k < 7; ++k) row[k] += raised[k];
+  Vec3<Real> tangent[D], along[D + 3], raised[D + 4];
+  for (int i = 0; i < D; ++i) tangent[i] = scaled(double(D), edge.curve[i + 1] - edge.curve[i]);
+  multiply<3, D - 1>(mu, tangent, along);
+  elevate<D + 2, 1>(along, raised);
+  multiply<3, D>(kappa, edge.inward, row);
+  for (int k = 0; k < D + 4; ++k) row[k] += raised[k];
 }
 
-template <class Real>
-void field_row_pullback(const TransitionEnd<Real>& edge, const CornerField<Real>& field,
-                        const Vec3<Real>* row_bar, TransitionEnd<Real>& edge_bar,
+template <class Real, int D>
+void field_row_pullback(const TransitionEnd<Real, D>& edge, const CornerField<Real>& field,
+                        const Vec3<Real>* row_bar, TransitionEnd<Real, D>& edge_bar,
                         CornerField<Real>& field_bar) {
   const PlaneCoordinates<Real>*v = field.value, *s = field.slope;
   const Real third(1.0 / 3.0);
   const Real kappa[4] = {v[0].p, v[0].p + third * s[0].p, v[1].p - third * s[1].p, v[1].p};
   const Real mu[4] = {v[0].q, v[0].q + third * s[0].q, v[1].q - third * s[1].q, v[1].q};
-  Vec3<Real> tangent[3], tangent_bar[3] = {}, along_bar[6] = {};
-  for (int i = 0; i < 3; ++i) tangent[i] = scaled(3.0, edge.curve[i + 1] - edge.curve[i]);
+  Vec3<Real> tangent[D], tangent_bar[D] = {}, along_bar[D + 3] = {};
+  for (int i = 0; i < D; ++i) tangent[i] = scaled(double(D), edge.curve[i + 1] - edge.curve[i]);
   Real kappa_bar[4] = {}, mu_bar[4] = {};
-  multiply_pullback<3, 3>(kappa, edge.inward, row_bar, kappa_bar, edge_bar.inward);
-  elevate_pullback<5, 1>(row_bar, along_bar);
-  multiply_pullback<3, 2>(mu, tangent, along_bar, mu_bar, tangent_bar);
-  for (int i = 0; i < 3; ++i) {
-    edge_bar.curve[i + 1] += scaled(3.0, tangent_bar[i]);
-    edge_bar.curve[i] -= scaled(3.0, tangent_bar[i]);
+  multiply_pullback<3, D>(kappa, edge.inward, row_bar, kappa_bar, edge_bar.inward);
+  elevate_pullback<D + 2, 1>(row_bar, along_bar);
+  multiply_pullback<3, D - 1>(mu, tangent, along_bar, mu_bar, tangent_bar);
+  for (int i = 0; i < D; ++i) {
+    edge_bar.curve[i + 1] += scaled(double(D), tangent_bar[i]);
+    edge_bar.curve[i] -= scaled(double(D), tangent_bar[i]);
   }
   field_bar.value[0].p += kappa_bar[0] + kappa_bar[1];
   field_bar.value[1].p += kappa_bar[2] + kappa_bar[3];
@@ -294,8 +300,8 @@ struct VertexTwist {
 };
 
 /// Sets the fields of both edges at a regular vertex; returns its twists.
-template <class Real>
-VertexTwist<Real> vertex_fields(const TransitionEnd<Real>* edges, const CornerVertex& vertex,
+template <class Real, int D>
+VertexTwist<Real> vertex_fields(const TransitionEnd<Real, D>* edges, const CornerVertex& vertex,
                                 CornerField<Real>* field) {
   const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),
                      y = end_jet(edges[vertex.along_y], vertex.y);
@@ -307,9 +313,9 @@ VertexTwist<Real> vertex_fields(const TransitionEnd<Real>* edges, const CornerVe
 }
 
 /// Pullback of vertex_fields; adds the twists' part to `field_bar`.
-template <class Real>
-VertexBar<Real> vertex_fields_pullback(const TransitionEnd<Real>* edges, const CornerVertex& vertex,
-                                       const CornerField<Real>* field,
+template <class Real, int D>
+VertexBar<Real> vertex_fields_pullback(const TransitionEnd<Real, D>* edges,
+                                       const CornerVertex& vertex, const CornerField<Real>* field,
                                        const VertexTwist<Real>& twist_bar,
                                        CornerField<Real>* field_bar) {
   const EndJet<Real> x = end_jet(edges[vertex.along_x], vertex.x),

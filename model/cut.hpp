@@ -37,7 +37,7 @@ void cut(int m, int n, const Real* in_u, const Real* in_v, const Vec3<Real>* net
          Vec3<Real>* kept) {
   const int stride = n + 1;
   for (int i = 0; i <= m; ++i) {
-    Vec3<Real> half[max_patch_degree + 1];
+    Vec3<Real> half[max_net_degree + 1];
     for (int j = 0; j <= n; ++j) {
       Vec3<Real> sum = in_u[i * (m + 1)] * net[j];
       for (int k = 1; k <= m; ++k) sum += in_u[i * (m + 1) + k] * net[k * stride + j];
@@ -56,7 +56,7 @@ template <class Real>
 void cut_pullback(int m, int n, const Real* in_u, const Real* in_v, const Vec3<Real>* kept_bar,
                   Vec3<Real>* net_bar) {
   const int stride = n + 1;
-  Vec3<Real> half_bar[(max_patch_degree + 1) * (max_patch_degree + 1)];
+  Vec3<Real> half_bar[(max_net_degree + 1) * (max_net_degree + 1)];
   for (int i = 0; i <= m; ++i) {
     for (int k = 0; k <= n; ++k) {
       Vec3<Real> sum = in_v[k] * kept_bar[i * stride];

@@ -10,17 +10,19 @@
 namespace bodyline::model {
 inline namespace BODYLINE_ISA_NAMESPACE {
 
-/// Highest degree of a patch of the body in one direction.
+/// Highest degree of the curves of a body.
 inline constexpr int max_patch_degree = 9;
+/// Highest degree of a patch's net in one direction: some families need more than their curves.
+inline constexpr int max_net_degree = 11;
 
-/// k / n and (n - k) / n, 0 <= k <= n, 1 <= n <= max_patch_degree + 1.
+/// k / n and (n - k) / n, 0 <= k <= n, 1 <= n <= max_net_degree + 1.
 struct FractionTable {
-  double value[max_patch_degree + 2][max_patch_degree + 2];  ///< [n][k]
-  double rest[max_patch_degree + 2][max_patch_degree + 2];
+  double value[max_net_degree + 2][max_net_degree + 2];  ///< [n][k]
+  double rest[max_net_degree + 2][max_net_degree + 2];
 };
 consteval FractionTable make_fractions() {
   FractionTable table{};
-  for (int n = 1; n <= max_patch_degree + 1; ++n) {
+  for (int n = 1; n <= max_net_degree + 1; ++n) {
     for (int k = 0; k <= n; ++k) {
       table.value[n][k] = double(k) / n;
       table.rest[n][k] = double(n - k) / n;
@@ -88,7 +90,7 @@ void elevate_pullback(const Vec3<Real>* raised_bar, Vec3<Real>* row_bar) {
   });
 }
 
-/// raised (n + 2 points) = the same curve as row (n + 1 points), n <= max_patch_degree.
+/// raised (n + 2 points) = the same curve as row (n + 1 points), n <= max_net_degree.
 template <class Real>
 void elevate_once(int n, const Vec3<Real>* row, Vec3<Real>* raised) {
   const double *share = fractions.value[n + 1], *rest = fractions.rest[n + 1];
@@ -103,6 +105,27 @@ void elevate_once_pullback(int n, const Vec3<Real>* raised_bar, Vec3<Real>* row_
   const double *share = fractions.value[n + 1], *rest = fractions.rest[n + 1];
   for (int k = 0; k <= n; ++k) {
     row_bar[k] += scaled(rest[k], raised_bar[k]) + scaled(share[k + 1], raised_bar[k + 1]);
+  }
+}
+
+/// The same curve `times` degrees higher, in place: n + 1 points become n + times + 1.
+template <class Real>
+void elevate_times(int n, int times, Vec3<Real>* row) {
+  for (int degree = n; degree < n + times; ++degree) {
+    const double *share = fractions.value[degree + 1], *rest = fractions.rest[degree + 1];
+    row[degree + 1] = row[degree];
+    for (int k = degree; k > 0; --k)
+      row[k] = scaled(share[k], row[k - 1]) + scaled(rest[k], row[k]);
+  }
+}
+
+/// Pullback of elevate_times, in place: the adjoints of n + times + 1 points become those of n + 1.
+template <class Real>
+void elevate_times_pullback(int n, int times, Vec3<Real>* bar) {
+  for (int degree = n + times - 1; degree >= n; --degree) {
+    const double *share = fractions.value[degree + 1], *rest = fractions.rest[degree + 1];
+    for (int k = 0; k <= degree; ++k)
+      bar[k] = scaled(rest[k], bar[k]) + scaled(share[k + 1], bar[k + 1]);
   }
 }
 
@@ -134,7 +157,7 @@ void multiply_pullback(const Real* factor, const Vec3<Real>* row, const Vec3<Rea
 }
 
 /// product_row (q + 2 points) = factor (scalar, linear) times row (degree q), q <=
-/// max_patch_degree.
+/// max_net_degree.
 template <class Real>
 void multiply_linear(int q, const Real* factor, const Vec3<Real>* row, Vec3<Real>* product_row) {
   const double *share = fractions.value[q + 1], *rest = fractions.rest[q + 1];

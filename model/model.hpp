@@ -37,10 +37,10 @@ struct SideCurve {
 struct Patch {
   std::string name;
   bool central = false;  ///< spans the full width and is its own mirror image: v1 mirrors v0
-  std::string basis = "ge-bezier";
+  std::string basis = "ge-bezier";  ///< the name of its family (family.hpp)
   std::array<SideCurve, 4> sides;
-  std::vector<double> shape_u;            ///< degree_u - 1 shape parameters
-  std::vector<double> shape_v;            ///< degree_v - 1 shape parameters
+  std::vector<double> shape_u;            ///< shape parameters: degree_u - 1 of GE-Bezier,
+  std::vector<double> shape_v;            ///< degree_v - 1; of any family see shape_counts
   std::array<double, 2> cut_u{0.0, 1.0};  ///< kept range in u; 0 and 1 mean not cut
   std::array<double, 2> cut_v{0.0, 1.0};  ///< kept range in v
   std::string note;
@@ -63,6 +63,7 @@ struct Joint {
   /// joint, as a multiple of the handle's own length. Not zero only on the seam side of a pillar
   /// foot (section 8).
   std::array<std::array<double, 2>, 2> lean{};
+  int continuity = 1;  ///< of the transition with both patches: 1 (normals) or 2 (curvatures too)
   std::optional<int> uncut;  ///< 0 when patch a, 1 when patch b is not cut back (section 6)
   std::string note;
 };

@@ -16,9 +16,9 @@ inline namespace BODYLINE_ISA_NAMESPACE {
 /// edge.
 template <class Real>
 struct SeamRows {
-  Vec3<Real> edge[max_patch_degree + 1];
-  Vec3<Real> across_a[max_patch_degree + 1];
-  Vec3<Real> across_b[max_patch_degree + 1];
+  Vec3<Real> edge[max_net_degree + 1];
+  Vec3<Real> across_a[max_net_degree + 1];
+  Vec3<Real> across_b[max_net_degree + 1];
 };
 
 /// What the correction computed on its way, for the pullback.
@@ -29,7 +29,7 @@ struct SeamTrace {
       normal;         // unit normals of both handles' planes, and the mean plane's
   Vec3<Real> a0, b0;  // handles projected onto the mean plane
   Real rho, lean0, lean1, inverse_weight;
-  Vec3<Real> residual[max_patch_degree + 1];
+  Vec3<Real> residual[max_net_degree + 1];
 };
 
 /// Corrects across_a and across_b so that B(s) = rho A(s) + beta(s) c'(s) exactly: the handles at
@@ -82,7 +82,7 @@ void correct_seam_pullback(int n, const SeamRows<Real>& before, const SeamTrace<
   const Real& rho = trace.rho;
   const Real share = Real(1.0) / (Real(1.0) + rho * rho);
   const Real d_share = Real(-2.0) * rho * share * share;
-  Vec3<Real> residual_bar[max_patch_degree + 1];
+  Vec3<Real> residual_bar[max_net_degree + 1];
   Real rho_bar{}, lean0_bar{}, lean1_bar{};
   for (int j = 1; j <= n; ++j) {
     residual_bar[j] = share * (rho * bar.across_a[j] - bar.across_b[j]);

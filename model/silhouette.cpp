@@ -10,34 +10,44 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double cells_per_spacing = 4.0;  // points of a curve per cell of a face's grid
-constexpr double on_plane = 1e-6;          // mm to the plane of symmetry that are rounding
-constexpr int halvings = 24;               // of a step, to where a piece ends
-constexpr double shortest = 1e-3;          // piece, mm
+constexpr double on_plane = 1e-6;  // mm to the plane of symmetry that are rounding
+constexpr int halvings = 12;       // of a step, to where a piece ends
+constexpr double shortest = 1e-3;  // piece, mm
 
-PictureMask mask_of(const SilhouetteBody& body, View view, const std::vector<SeenFace>& seen,
+// Covers the triangles of a face, and their mirror images.
+void cover_face(PictureMask& mask, View view, const FacingGrid& grid,
+                const std::vector<Vector2d>& pictures, bool twice) {
+  for (int i = 0; i < grid.cells_u; ++i) {
+    for (int j = 0; j < grid.cells_v; ++j) {
+      const Vector2d* const a = &pictures[i * (grid.cells_v + 1) + j];
+      const Vector2d* const b = a + grid.cells_v + 1;
+      for (const auto& [p, q, r] : {std::tuple{a, a + 1, b}, std::tuple{b, a + 1, b + 1}}) {
+        mask.cover_triangle(*p, *q, *r);
+        if (twice) {
+          mask.cover_triangle(mirrored_picture(view, *p), mirrored_picture(view, *q),
+                              mirrored_picture(view, *r));
+        }
+      }
+    }
+  }
+}
+
+PictureMask mask_of(const SilhouetteBody& body, View view, const std::vector<FacingGrid>& seen,
                     const std::vector<SilhouetteCurve>& curves, int cells) {
+  std::vector<std::vector<Vector2d>> pictures;
   Eigen::AlignedBox2d box;
-  for (const SeenFace& face : seen) {
-    for (const Vector2d& picture : face.pictures) {
-      box.extend(picture);
-      box.extend(mirrored_picture(view, picture));
+  for (const FacingGrid& face : seen) {
+    std::vector<Vector2d>& nodes = pictures.emplace_back();
+    for (const Eigen::Vector3d& position : face.positions) {
+      nodes.push_back(project(view, position));
+      box.extend(nodes.back());
+      box.extend(mirrored_picture(view, nodes.back()));
     }
   }
   PictureMask mask(box, cells);
   for (std::size_t f = 0; f < seen.size(); ++f) {
-    for (int i = 0; i < seen[f].cells_u; ++i) {
-      for (int j = 0; j < seen[f].cells_v; ++j) {
-        const Vector2d* const a = &seen[f].pictures[i * (seen[f].cells_v + 1) + j];
-        const Vector2d* const b = a + seen[f].cells_v + 1;
-        for (const auto& [p, q, r] : {std::tuple{a, a + 1, b}, std::tuple{b, a + 1, b + 1}}) {
-          mask.cover_triangle(*p, *q, *r);
-          if (view != View::side && !body.faces[f].central)
-            mask.cover_triangle(mirrored_picture(view, *p), mirrored_picture(view, *q),
-                                mirrored_picture(view, *r));
-        }
-      }
-    }
+    const bool twice = view != View::side && !body.faces[f].central;
+    cover_face(mask, view, seen[f], pictures[f], twice);
   }
   for (const SilhouetteCurve& curve : curves) {
     for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
@@ -168,9 +178,8 @@ SilhouetteBody silhouette_body(const Model& model, Stage stage) {
 
 std::vector<SilhouetteCurve> silhouette(const SilhouetteBody& body, View view,
                                         const SilhouetteOptions& options) {
-  std::vector<SeenFace> seen;
-  for (const Surface& face : body.faces)
-    seen.push_back(see_face(face, view, cells_per_spacing * options.spacing));
+  std::vector<FacingGrid> seen;
+  for (const Surface& face : body.faces) seen.push_back(see_face(face, view, options.cell));
   const std::vector<SilhouetteCurve> curves = silhouette_curves(body, view, seen, options.spacing);
   std::vector<std::vector<Vector2d>> lines;
   for (const SilhouetteCurve& curve : curves) {

@@ -9,7 +9,8 @@ namespace bodyline::model {
 
 struct SilhouetteOptions {
   double spacing = 10.0;  ///< of the points in the picture, about, mm
-  int mask_cells = 1500;  ///< along the picture's longer side, to tell what is outside
+  double cell = 60.0;     ///< of the grids on which contours are looked for, about, mm
+  int mask_cells = 600;   ///< along the picture's longer side, to tell what is outside
 };
 
 /// The body of a plan and nets, or of a model, to be looked at. Throws ModelError when the model

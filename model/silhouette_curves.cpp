@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "model/check_edge_jet.hpp"
-#include "model/contour.hpp"
 #include "model/side_geometry.hpp"
 
 namespace bodyline::model {
@@ -143,6 +142,29 @@ void add_edge(const SilhouetteBody& body, const StageEdge& edge, const ViewAxes&
   }
 }
 
+// A contour at most about `spacing` apart in the picture; between the points that are given.
+SilhouetteCurve contour_curve(const SilhouetteBody& body, View view, int face,
+                              const Contour& contour, double spacing) {
+  constexpr double most = 1000.0;
+  const ViewAxes axes = view_axes(view);
+  std::vector<SilhouettePoint> given;
+  for (const Vector2d& at : contour.points)
+    given.push_back(contour_point(body.faces[face], face, axes, at));
+  SilhouetteCurve curve{SilhouetteKind::contour, face, Side::u0, {}, contour.closed};
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const SilhouettePoint &from = given[k], &to = given[(k + 1) % given.size()];
+    curve.points.push_back(from);
+    if (k + 1 == given.size() && !contour.closed) break;
+    const double length = (to.picture - from.picture).norm();
+    const int steps = int(std::ceil(std::min(length / spacing, most)));
+    for (int q = 1; q < steps; ++q) {
+      const auto point = silhouette_point_between(body, view, curve, from, to, double(q) / steps);
+      if (point) curve.points.push_back(*point);
+    }
+  }
+  return curve;
+}
+
 }  // namespace
 
 const char* silhouette_kind_name(SilhouetteKind kind) {
@@ -157,47 +179,19 @@ const char* silhouette_kind_name(SilhouetteKind kind) {
   return "";
 }
 
-SeenFace see_face(const Surface& face, View view, double cell) {
-  SeenFace seen;
-  seen.cells_u = cell_count(face, true, cell);
-  seen.cells_v = cell_count(face, false, cell);
-  const ViewAxes axes = view_axes(view);
-  seen.facing = facing_values(face, axes.toward, seen.cells_u, seen.cells_v);
-  for (int i = 0; i <= seen.cells_u; ++i) {
-    for (int j = 0; j <= seen.cells_v; ++j) {
-      const double u = double(i) / seen.cells_u, v = double(j) / seen.cells_v;
-      seen.pictures.push_back(in_picture(axes, jet(face, u, v, 0).d[0]));
-    }
-  }
-  return seen;
+FacingGrid see_face(const Surface& face, View view, double cell) {
+  return facing_grid(face, view_axes(view).toward, cell_count(face, true, cell),
+                     cell_count(face, false, cell));
 }
 
 std::vector<SilhouetteCurve> silhouette_curves(const SilhouetteBody& body, View view,
-                                               const std::vector<SeenFace>& seen, double spacing) {
+                                               const std::vector<FacingGrid>& seen,
+                                               double spacing) {
   const ViewAxes axes = view_axes(view);
   std::vector<SilhouetteCurve> curves;
   for (int f = 0; f < int(body.faces.size()); ++f) {
-    const Surface& face = body.faces[f];
-    for (const Contour& contour :
-         trace_contours(face, axes.toward, seen[f].facing, seen[f].cells_u, seen[f].cells_v)) {
-      SilhouetteCurve rough{SilhouetteKind::contour, f, Side::u0, {}, contour.closed};
-      for (const Vector2d& at : contour.points)
-        rough.points.push_back(contour_point(face, f, axes, at));
-      SilhouetteCurve curve = rough;
-      curve.points.clear();
-      const std::size_t count = rough.points.size();
-      for (std::size_t k = 0; k < count; ++k) {
-        const SilhouettePoint &from = rough.points[k], &to = rough.points[(k + 1) % count];
-        curve.points.push_back(from);
-        if (k + 1 == count && !contour.closed) break;
-        const double length = (to.picture - from.picture).norm();
-        const int steps = int(std::ceil(std::min(length / spacing, 1000.0)));
-        for (int q = 1; q < steps; ++q) {
-          const auto point =
-              silhouette_point_between(body, view, curve, from, to, double(q) / steps);
-          if (point) curve.points.push_back(*point);
-        }
-      }
+    for (const Contour& contour : trace_contours(body.faces[f], axes.toward, seen[f])) {
+      SilhouetteCurve curve = contour_curve(body, view, f, contour, spacing);
       if (curve.points.size() > 1) curves.push_back(std::move(curve));
     }
   }

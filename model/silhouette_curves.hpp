@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/contour.hpp"
 #include "model/stage_edges.hpp"
 #include "model/surface.hpp"
 #include "model/view.hpp"
@@ -41,20 +42,13 @@ struct SilhouetteBody {
   std::vector<StageEdge> edges;
 };
 
-/// A face seen in a view: what its nodes on a grid show, v fastest.
-struct SeenFace {
-  int cells_u = 0, cells_v = 0;
-  std::vector<Eigen::Vector2d> pictures;
-  std::vector<double> facing;  ///< see facing_values
-};
-
-/// Looks at a face with cells about as large as `cell`, mm.
-SeenFace see_face(const Surface& face, View view, double cell);
+/// Looks at a face in a view, in cells about as large as `cell`, mm.
+FacingGrid see_face(const Surface& face, View view, double cell);
 
 /// All contours, rims and creases of a body in a view, hidden or not, with points at most about
 /// `spacing` mm apart in the picture. `seen` are the faces as the view shows them.
 std::vector<SilhouetteCurve> silhouette_curves(const SilhouetteBody& body, View view,
-                                               const std::vector<SeenFace>& seen, double spacing);
+                                               const std::vector<FacingGrid>& seen, double spacing);
 
 /// The point of a curve at a share t in (0, 1) of the way from one of its points to the next; none
 /// where the curve cannot be followed.

@@ -17,8 +17,8 @@ inline namespace BODYLINE_ISA_NAMESPACE {
 /// One patch's part of a transition, in the direction of the joint.
 template <class Real>
 struct TransitionSide {
-  Vec3<Real> edge[max_patch_degree + 1];    ///< kept edge
-  Vec3<Real> second[max_patch_degree + 1];  ///< the row of the kept net behind it
+  Vec3<Real> edge[max_net_degree + 1];    ///< kept edge
+  Vec3<Real> second[max_net_degree + 1];  ///< the row of the kept net behind it
   Real stretch;  ///< across degree * (width cut away) / (width kept): D = stretch * (edge - second)
   Real fullness;
   Real lean[2];  ///< at both ends of the joint, inwards
@@ -142,7 +142,7 @@ template <class Real>
 void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* target,
                   const Real& neighbour_width, Vec3<Real>* raised_edge, Vec3<Real>* handle,
                   UncutTrace<Real>& trace) {
-  Vec3<Real> across[max_patch_degree + 1], along[max_patch_degree + 1];
+  Vec3<Real> across[max_net_degree + 1], along[max_net_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
   for (int end = 0; end < 2; ++end) {
@@ -152,40 +152,46 @@ void uncut_handle(int n, const TransitionSide<Real>& side, const Vec3<Real>* tar
   const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
   const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
   const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
-  Vec3<Real> sum[max_patch_degree + 2], lean[max_patch_degree + 1];
+  Vec3<Real> sum[max_net_degree + 2], lean[max_net_degree + 1];
   multiply_linear(n, f, across, sum);
   multiply_linear(n - 1, beta, along, lean);
-  Vec3<Real> raised_lean[max_patch_degree + 2];
+  Vec3<Real> raised_lean[max_net_degree + 2];
   elevate_once(n, lean, raised_lean);
   elevate_once(n, side.edge, raised_edge);
   for (int j = 0; j <= n + 1; ++j)
     handle[j] = raised_edge[j] + scaled(1.0 / 3.0, sum[j] + raised_lean[j]);
 }
 
+/// f and beta as linear functions along the edge, by their ends.
+template <class Real>
+struct HandleRates {
+  Real f[2] = {}, beta[2] = {};
+};
+
 /// Pullback of uncut_handle: adds to the adjoints of the side, of the two targets and of the
-/// neighbour's width.
+/// neighbour's width. `rates_bar` are adjoints that the rates have from elsewhere.
 template <class Real>
 void uncut_handle_pullback(int n, const TransitionSide<Real>& side, const Vec3<Real>* target,
                            const Real& neighbour_width, const UncutTrace<Real>& trace,
                            const Vec3<Real>* raised_edge_bar, const Vec3<Real>* handle_bar,
                            TransitionSide<Real>& bar, Vec3<Real>* target_bar,
-                           Real& neighbour_width_bar) {
-  Vec3<Real> across[max_patch_degree + 1], along[max_patch_degree + 1];
+                           Real& neighbour_width_bar, HandleRates<Real> rates_bar = {}) {
+  Vec3<Real> across[max_net_degree + 1], along[max_net_degree + 1];
   for (int j = 0; j <= n; ++j) across[j] = side.stretch * (side.edge[j] - side.second[j]);
   for (int j = 0; j < n; ++j) along[j] = scaled(double(n), side.edge[j + 1] - side.edge[j]);
-  Vec3<Real> sum_bar[max_patch_degree + 2], edge_bar[max_patch_degree + 2];
+  Vec3<Real> sum_bar[max_net_degree + 2], edge_bar[max_net_degree + 2];
   for (int j = 0; j <= n + 1; ++j) {
     sum_bar[j] = scaled(1.0 / 3.0, handle_bar[j]);
     edge_bar[j] = handle_bar[j] + raised_edge_bar[j];
   }
   elevate_once_pullback(n, edge_bar, bar.edge);
-  Vec3<Real> lean_bar[max_patch_degree + 1] = {};
+  Vec3<Real> lean_bar[max_net_degree + 1] = {};
   elevate_once_pullback(n, sum_bar, lean_bar);
   const Real floor = Real(least_uncut_reach) * side.fullness * neighbour_width;
   const Real f[2] = {lifted(trace.solution[0].p, floor), lifted(trace.solution[1].p, floor)};
   const Real beta[2] = {trace.solution[0].q, trace.solution[1].q};
-  Real f_bar[2] = {}, beta_bar[2] = {};
-  Vec3<Real> across_bar[max_patch_degree + 1] = {}, along_bar[max_patch_degree + 1] = {};
+  Real *f_bar = rates_bar.f, *beta_bar = rates_bar.beta;
+  Vec3<Real> across_bar[max_net_degree + 1] = {}, along_bar[max_net_degree + 1] = {};
   multiply_linear_pullback(n, f, across, sum_bar, f_bar, across_bar);
   multiply_linear_pullback(n - 1, beta, along, lean_bar, beta_bar, along_bar);
   for (int end = 0; end < 2; ++end) {

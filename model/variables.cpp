@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "model/basis.hpp"
+#include "model/family.hpp"
 #include "model/side_geometry.hpp"
 #include "model/suggest.hpp"
 #include "model/tie_classes.hpp"
@@ -50,9 +50,9 @@ void tie_patches(const Model& model, const Connectivity& links, const ParameterL
     const Patch& patch = model.patches[p];
     if (patch.central) {
       ties.tie(layout.cut(p) + 2, layout.cut(p) + 3, -1.0);
-      const int count = int(patch.shape_v.size());
-      for (int k = 0; 2 * k < count; ++k)
-        ties.tie(layout.shape_v(p, k), layout.shape_v(p, count - 1 - k), 1.0);
+      const auto basis = family(patch.basis, links.patches[p].degree_v);
+      for (int k = 0; k < int(patch.shape_v.size()); ++k)
+        ties.tie(layout.shape_v(p, k), layout.shape_v(p, mirrored_shape(*basis, k)), 1.0);
     }
     for (Side side : all_sides) {
       if (!side_is_cut(model, links, p, side)) ties.fix(layout.cut(p) + static_cast<int>(side));
@@ -79,17 +79,30 @@ void tie_patches(const Model& model, const Connectivity& links, const ParameterL
   }
 }
 
-void set_bounds(const Model& model, const ParameterLayout& layout, const Eigen::VectorXd& values,
-                const VariableBounds& bounds, std::vector<Variable>& variables) {
-  std::vector<ShapeRange> shape_ranges(layout.size());
+// Where a family's basis is positive and a body may have it, by shape parameter.
+std::vector<ShapeRange> all_shape_ranges(const Model& model, const Connectivity& links,
+                                         const ParameterLayout& layout) {
+  std::vector<ShapeRange> ranges(layout.size());
+  const auto range = [](const AnyBasis& basis, int k) {
+    const ShapeRange positive = basis.shape_range(k % basis.shape_count()),
+                     body = basis.body_range(k % basis.shape_count());
+    return ShapeRange{std::max(positive.lower, body.lower), std::min(positive.upper, body.upper)};
+  };
   for (int p = 0; p < int(model.patches.size()); ++p) {
-    const int m = int(model.patches[p].shape_u.size()) + 1,
-              n = int(model.patches[p].shape_v.size()) + 1;
-    for (int k = 0; k < m - 1; ++k)
-      shape_ranges[layout.shape_u(p, k)] = GeBezierBasis(m).shape_range(k);
-    for (int k = 0; k < n - 1; ++k)
-      shape_ranges[layout.shape_v(p, k)] = GeBezierBasis(n).shape_range(k);
+    const Patch& patch = model.patches[p];
+    const auto basis_u = family(patch.basis, links.patches[p].degree_u);
+    const auto basis_v = family(patch.basis, links.patches[p].degree_v);
+    for (int k = 0; k < int(patch.shape_u.size()); ++k)
+      ranges[layout.shape_u(p, k)] = range(*basis_u, k);
+    for (int k = 0; k < int(patch.shape_v.size()); ++k)
+      ranges[layout.shape_v(p, k)] = range(*basis_v, k);
   }
+  return ranges;
+}
+
+void set_bounds(const std::vector<ShapeRange>& shape_ranges, const ParameterLayout& layout,
+                const Eigen::VectorXd& values, const VariableBounds& bounds,
+                std::vector<Variable>& variables) {
   for (Variable& variable : variables) {
     const int parameter = variable.ties.front().parameter;
     const double value = values[parameter];
@@ -148,7 +161,7 @@ VariableMap::VariableMap(const Model& model, const Connectivity& links,
                               : values[parameter] - factor * values[place.root];
     variables_[owner_[parameter]].ties.push_back({parameter, factor, offset});
   }
-  set_bounds(model, layout_, values, bounds, variables_);
+  set_bounds(all_shape_ranges(model, links, layout_), layout_, values, bounds, variables_);
 }
 
 std::vector<int> VariableMap::select(std::span<const std::string> patterns) const {

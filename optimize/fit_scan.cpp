@@ -12,20 +12,13 @@
 namespace bodyline::optimize {
 namespace {
 
-model::Model moved(const model::Model& model, const Eigen::Vector3d& move) {
-  model::Model result = model;
-  for (model::Curve& curve : result.curves)
-    for (Eigen::Vector3d& point : curve.points) point += move;
-  return result;
-}
-
 // The first start tells its progress for all.
 std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
                                   const model::Model& start, const FitOptions& options,
                                   FitRounds::Clock::time_point begin) {
   std::vector<FitRounds> all;
-  for (const Eigen::Vector3d& move : options.starts)
-    all.emplace_back(targets, options, moved(start, move), begin).tells = all.size() == 1;
+  for (const FitStart& change : options.starts)
+    all.emplace_back(targets, options, started(start, change), begin).tells = all.size() == 1;
   tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t k) {
     // Whoever waits inside one start must not begin another.
     tbb::this_task_arena::isolate([&] { all[k].approach(); });

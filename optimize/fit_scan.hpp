@@ -8,6 +8,7 @@
 #include "model/scan.hpp"
 #include "model/variables.hpp"
 #include "optimize/algorithm.hpp"
+#include "optimize/fit_start.hpp"
 #include "optimize/fit_target.hpp"
 #include "optimize/status.hpp"
 
@@ -25,8 +26,8 @@ struct FitProgress {
 /// mean squared distance, mm^2.
 struct FitOptions {
   std::size_t coarse_points = 15000, fine_points = 60000;  ///< of the scan, while searching
-  /// Moves of the start body, mm. All are tried, by warp and by curves; the closest goes on.
-  std::vector<Eigen::Vector3d> starts{{0, 0, 0}, {100, 0, 0}, {-100, 0, 0}, {0, 0, -80}};
+  /// All are tried, by warp and by curves; the closest goes on.
+  std::vector<FitStart> starts = usual_fit_starts();
   int warp_rounds = 15, curve_rounds = 15, body_rounds = 20;
   int unfold_rounds = 6;    ///< most, with ever stronger barriers while a face folds
   double far = 250.0;       ///< distance off the surface that counts a quarter at first, mm,

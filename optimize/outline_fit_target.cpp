@@ -42,15 +42,29 @@ class OutlineFitTarget : public FitTarget {
   double distance_ = 0.0, misfit_ = 0.0;
 };
 
+// Each once: front and rear share their silhouette.
+std::vector<model::View> views_of(const Outlines& outlines) {
+  std::vector<model::View> views;
+  for (const OutlineSamples& outline : outlines) {
+    if (std::find(views.begin(), views.end(), outline.view) == views.end())
+      views.push_back(outline.view);
+  }
+  return views;
+}
+
 void OutlineFitTarget::match(const double* nets, const FitRound& round) {
   const model::SilhouetteBody body = model::silhouette_body(*plan_, stage_, nets);
   const Outlines& outlines = *outlines_;
   std::vector<OutlinePulls> found(outlines.size());
-  tbb::parallel_for(std::size_t(0), outlines.size(), [&](std::size_t k) {
+  const std::vector<model::View> views = views_of(outlines);
+  tbb::parallel_for(std::size_t(0), views.size(), [&](std::size_t v) {
     model::SilhouetteOptions tracing;
-    tracing.spacing = outlines[k].spacing;
-    const auto pieces = model::silhouette(body, outlines[k].view, tracing);
-    found[k] = match_outline(body, pieces, outlines[k], {round.reach, true, true});
+    tracing.spacing = outlines.front().spacing;
+    const auto pieces = model::silhouette(body, views[v], tracing);
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+      if (outlines[k].view == views[v])
+        found[k] = match_outline(body, pieces, outlines[k], {round.reach, true, true});
+    }
   });
   OutlinePulls all;
   for (const OutlinePulls& one : found) {

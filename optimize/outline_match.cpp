@@ -51,7 +51,7 @@ class OutlineMatcher {
   void pull_from_drawing();
   void pull_from_body();
   void add(const model::SilhouetteCurve& piece, const model::SilhouettePoint& at,
-           const Vector2d& target, double weight, double reach, bool along_too);
+           const Vector2d& target, double weight, double reach);
   double reach_of(const model::SilhouetteCurve& piece) const {
     return piece.kind == model::SilhouetteKind::contour ? matching_.reach.normal
                                                         : matching_.reach.rim;
@@ -69,10 +69,8 @@ class OutlineMatcher {
 };
 
 void OutlineMatcher::add(const model::SilhouetteCurve& piece, const model::SilhouettePoint& at,
-                         const Vector2d& target, double weight, double reach, bool along_too) {
+                         const Vector2d& target, double weight, double reach) {
   const Vector2d offset = target - at.picture;
-  const double off = offset.dot(at.normal), along = (offset - off * at.normal).norm();
-  const bool rim = piece.kind != model::SilhouetteKind::contour;
   weight *= geman_mcclure(offset.norm(), reach);
   Match match;
   match.face = piece.face;
@@ -80,13 +78,8 @@ void OutlineMatcher::add(const model::SilhouetteCurve& piece, const model::Silho
   match.v = at.v;
   match.foot = at.position;
   match.normal = lifted(at.normal);
-  match.distance = off < 0.0 ? -offset.norm() : offset.norm();
-  Eigen::Matrix3d pull = match.normal * match.normal.transpose();
-  // A rim is made of the same points of the body wherever it goes: its end may be drawn along.
-  if (along_too && rim && along > 0.0) {
-    const Vector3d direction = lifted((offset - off * at.normal) / along);
-    pull += direction * direction.transpose();
-  }
+  match.distance = offset.dot(at.normal) < 0.0 ? -offset.norm() : offset.norm();
+  const Eigen::Matrix3d pull = match.normal * match.normal.transpose();
   result_.matches.push_back(match);
   result_.pulls.push_back({lifted(target), weight * pull});
 }
@@ -111,7 +104,7 @@ void OutlineMatcher::pull_from_drawing() {
     }
     cosine = std::max(cosine, 0.0);
     add(pieces_[foot.piece], foot.point, point, samples_.spacing * cosine * cosine,
-        reach_of(pieces_[foot.piece]), true);
+        reach_of(pieces_[foot.piece]));
     result_.distances.push_back(result_.matches.back().distance);
   }
 }
@@ -124,11 +117,12 @@ void OutlineMatcher::pull_from_body() {
       const model::SilhouettePoint& at = piece.points[k];
       const OutlineFoot foot = tree.nearest(at.picture, at.normal);
       const double cosine = std::max(foot.cosine, 0.0);
-      if (foot.beyond) continue;
+      // A line that is open on both sides does not tell which part of the body it shows.
+      if (foot.beyond || foot.two_sided) continue;
       // What is drawn may show more than a body (wheels, mirrors), but not less.
       double reach = reach_of(piece);
       if (foot.outside > 0.0) reach = std::max(reach, outside_reach);
-      add(piece, at, foot.point, length_at(piece, k) * cosine * cosine, reach, false);
+      add(piece, at, foot.point, length_at(piece, k) * cosine * cosine, reach);
     }
   }
 }

@@ -57,7 +57,7 @@ Vector3d outline_shift(const model::Model& body,
   std::vector<std::vector<model::SilhouetteCurve>> silhouettes;
   for (const model::PlacedDrawing& drawing : drawings) {
     outlines.push_back(outline_samples(drawing, spacing));
-    silhouettes.push_back(model::silhouette(seen, outlines.back().view, {spacing}));
+    silhouettes.push_back(model::silhouette(seen, outlines.back().view));
   }
   Vector3d shift = Vector3d::Zero();
   for (int k = 0; k < steps; ++k) {

@@ -39,13 +39,27 @@ OutlineTree::OutlineTree(const OutlineSamples& samples)
       sample_of_(samples_by_key(samples)),
       tree_(keys_of(samples, sample_of_)) {}
 
+// From a sample along the outline while that comes nearer to a point.
+int OutlineTree::walked(int sample, const Vector2d& point) const {
+  const std::vector<Vector2d>& points = samples_->points;
+  for (const int direction : {0, 1}) {
+    for (std::size_t steps = 0; steps < points.size(); ++steps) {
+      const int next = samples_->neighbours[sample][direction];
+      if (next < 0 || !((points[next] - point).norm() < (points[sample] - point).norm())) break;
+      sample = next;
+    }
+  }
+  return sample;
+}
+
 OutlineFoot OutlineTree::nearest(const Vector2d& point, const Vector2d& normal) const {
   std::size_t found[1];
   tree_.nearest(outline_key(point, normal), found);
-  const int sample = sample_of_[found[0]];
+  const int sample = walked(sample_of_[found[0]], point);
   const Vector2d& from = samples_->points[sample];
-  OutlineFoot foot{from, normal.dot(samples_->normals[sample]), false, 0.0};
-  if (samples_->two_sided[sample]) foot.cosine = std::abs(foot.cosine);
+  OutlineFoot foot{from, normal.dot(samples_->normals[sample]), false,
+                   bool(samples_->two_sided[sample]), 0.0};
+  if (foot.two_sided) foot.cosine = std::abs(foot.cosine);
   bool end = false;
   for (const int next : samples_->neighbours[sample]) {
     if (next < 0) {
@@ -58,7 +72,7 @@ OutlineFoot OutlineTree::nearest(const Vector2d& point, const Vector2d& normal) 
     if ((between - point).norm() < (foot.point - point).norm()) foot.point = between;
   }
   const Vector2d offset = point - foot.point;
-  if (!samples_->two_sided[sample]) foot.outside = offset.dot(samples_->normals[sample]);
+  if (!foot.two_sided) foot.outside = offset.dot(samples_->normals[sample]);
   foot.beyond = end && (offset - offset.dot(normal) * normal).norm() > samples_->spacing;
   return foot;
 }

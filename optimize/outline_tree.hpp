@@ -18,6 +18,7 @@ struct OutlineFoot {
   Eigen::Vector2d point;
   double cosine = 0.0;  ///< between the normals
   bool beyond = false;  ///< the outline ends before it comes so far
+  bool two_sided = false;
   /// How far the picture's point lies out of the car, mm; 0 where both sides of the outline are
   /// open.
   double outside = 0.0;
@@ -33,6 +34,8 @@ class OutlineTree {
   OutlineFoot nearest(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) const;
 
  private:
+  int walked(int sample, const Eigen::Vector2d& point) const;
+
   const OutlineSamples* samples_;
   std::vector<int> sample_of_;  // by key of the tree
   SearchTree tree_;

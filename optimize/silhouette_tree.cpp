@@ -38,24 +38,34 @@ SilhouetteFoot SilhouetteTree::nearest(const Vector2d& point, const Vector2d& no
   return refined(places_[found[0]][0], places_[found[0]][1], point);
 }
 
-// The nearest point on the way to one of the neighbours of a point of a piece.
+// Normals help to find the part of the silhouette; from there the foot is where the distance is
+// least nearby.
 SilhouetteFoot SilhouetteTree::refined(int piece, int index, const Vector2d& point) const {
   const model::SilhouetteCurve& curve = (*pieces_)[piece];
   const int count = int(curve.points.size());
+  const auto neighbour = [&](int k, int step) {
+    return curve.closed ? (k + step + count) % count : k + step;
+  };
+  const auto squared = [&](const Vector2d& at) { return (at - point).squaredNorm(); };
+  for (const int step : {-1, 1}) {
+    for (int walked = 0; walked < count; ++walked) {
+      const int next = neighbour(index, step);
+      if (next < 0 || next >= count ||
+          !(squared(curve.points[next].picture) < squared(curve.points[index].picture)))
+        break;
+      index = next;
+    }
+  }
   const model::SilhouettePoint& from = curve.points[index];
   SilhouetteFoot foot{piece, from};
-  double least = (from.picture - point).squaredNorm();
   for (const int step : {-1, 1}) {
-    const int next = curve.closed ? (index + step + count) % count : index + step;
+    const int next = neighbour(index, step);
     if (next < 0 || next >= count) continue;
     const model::SilhouettePoint& to = curve.points[next];
     const double share = share_between(from.picture, to.picture, point);
     if (!(share > 0.0)) continue;
     auto between = model::silhouette_point_between(*body_, view_, curve, from, to, share);
-    if (!between) continue;
-    const double squared = (between->picture - point).squaredNorm();
-    if (!(squared < least)) continue;
-    least = squared;
+    if (!between || !(squared(between->picture) < squared(foot.point.picture))) continue;
     if (between->normal.dot(from.normal) < 0.0) between->normal = -between->normal;
     foot.point = *between;
   }

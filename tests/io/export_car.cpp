@@ -15,12 +15,12 @@ namespace {
 using namespace test;
 using model::Stage;
 
-/// The cars of the paper at every stage.
+/// The cars of the paper, and one with patches of other families, at every stage.
 class ExportedCar : public testing::TestWithParam<const char*> {
  protected:
   std::vector<model::Surface> faces(Stage stage) const {
-    return model::build(
-        io::read_model(std::string(BODYLINE_SOURCE_DIR "/cars/") + GetParam() + ".toml"), stage);
+    return model::build(io::read_model(std::string(BODYLINE_SOURCE_DIR "/") + GetParam() + ".toml"),
+                        stage);
   }
 };
 
@@ -85,8 +85,13 @@ TEST_P(ExportedCar, MeshOfTheSmoothBodySharesItsNormals) {
   EXPECT_EQ(pairs.size(), mesh.points.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Cars, ExportedCar, testing::Values("template", "model1", "model2"),
-                         [](const auto& car) { return std::string(car.param); });
+INSTANTIATE_TEST_SUITE_P(Cars, ExportedCar,
+                         testing::Values("cars/template", "cars/model1", "cars/model2",
+                                         "examples/families"),
+                         [](const auto& car) {
+                           const std::string path = car.param;
+                           return path.substr(path.find('/') + 1);
+                         });
 
 }  // namespace
 }  // namespace bodyline

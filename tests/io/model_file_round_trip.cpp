@@ -90,6 +90,15 @@ TEST(ModelFile, RandomModelsComeBackBitForBit) {
   }
 }
 
+TEST(ModelFile, PatchesOfEveryFamilyComeBackBitForBit) {
+  const std::string path = BODYLINE_SOURCE_DIR "/examples/families.toml";
+  const model::Model read = io::read_model(path);
+  EXPECT_EQ(io::write_model_text(read), file_text(path));
+  std::vector<std::string> families;
+  for (const auto& patch : read.patches) families.push_back(patch.basis);
+  EXPECT_THAT(families, ::testing::IsSupersetOf({"ge-bezier", "bezier-like", "h-bezier"}));
+}
+
 TEST(ModelFile, EdgesOfTheDoublesComeBackBitForBit) {
   model::Model written = io::read_model(car_path("model1"));
   const std::vector<double> values{-0.0,

@@ -18,6 +18,15 @@ model::Model load_car(const std::string& name);
 /// within ranges that keep the body buildable.
 model::Model perturbed_car(const std::string& name, std::mt19937& random);
 
+/// Gives a patch another family, with shape parameters at random in its range for bodies, symmetric
+/// on a central patch.
+void set_family(model::Model& car, const std::string& patch, const std::string& family,
+                std::mt19937& random);
+
+/// A car with patches of every family: next to each other, at the uncut joint, at the seams (whose
+/// other patches are raised), and across the middle.
+model::Model car_of_families(const std::string& name, std::mt19937& random);
+
 /// A closed box: four central patches in a ring (front, top, rear, bottom), one left side and its
 /// image; eight corners of three joints. Degrees 2 to 5, curves, shape, cuts, fullness, directions
 /// of curves, order of joints and apexes at random.

@@ -51,15 +51,17 @@ model::Model moved_car() {
 }
 
 const std::vector<std::string>& body_names() {
-  static const std::vector<std::string> names{"template", "model1", "model2", "moved", "box"};
+  static const std::vector<std::string> names{"template", "model1",   "model2",
+                                              "moved",    "families", "box"};
   return names;
 }
 
 SampleBody make_body(const std::string& name) {
   std::mt19937 random(seed);
-  const model::Model car = name == "moved" ? moved_car()
-                           : name == "box" ? random_box(random)
-                                           : load_car(name);
+  const model::Model car = name == "moved"      ? moved_car()
+                           : name == "families" ? car_of_families("model2", random)
+                           : name == "box"      ? random_box(random)
+                                                : load_car(name);
   model::BodyPlan plan = model::plan_body(car);
   Eigen::VectorXd parameters = model::to_parameters(car, plan.layout);
   return {name, std::move(plan), std::move(parameters)};

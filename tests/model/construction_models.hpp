@@ -19,7 +19,7 @@ struct SampleBody {
 };
 
 /// The three cars as they are, model 1 with every independent variable moved at random (cuts 0.05
-/// to 0.3, leans on), and a box at random.
+/// to 0.3, leans on), model 2 with patches of every family, and a box at random.
 const std::vector<std::string>& body_names();
 SampleBody make_body(const std::string& name);
 

@@ -4,7 +4,10 @@
 
 #include "io/read_model.hpp"
 #include "model/build.hpp"
+#include "model/check_body.hpp"
 #include "model/check_fold.hpp"
+#include "model/family.hpp"
+#include "optimize/check_gradient.hpp"
 #include "optimize/fairness_problem.hpp"
 #include "tests/optimize/test_problems.hpp"
 
@@ -166,6 +169,58 @@ TEST_P(FairAlgorithm, FailsOnABodyWithoutValueAndLeavesItAlone) {
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_FALSE(std::isfinite(result.end.value));
   EXPECT_EQ(result.end_values, result.start_values);
+}
+
+// A car whose roof and hood are of another family: tuned like any other.
+class FairFamily : public testing::TestWithParam<const char*> {
+ protected:
+  static model::Model car_of_family() {
+    model::Model body = car("template");
+    for (model::Patch& patch : body.patches) {
+      if (patch.name != "roof" && patch.name != "hood") continue;
+      const int u = model::side_degree(body, patch, model::Side::v0),
+                v = model::side_degree(body, patch, model::Side::u0);
+      patch.basis = GetParam();
+      const model::ShapeCounts counts = model::shape_counts(patch.basis, u, v);
+      patch.shape_u.assign(counts.u, 0.5);
+      patch.shape_v.assign(counts.v, 0.25);
+    }
+    return body;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Families, FairFamily, testing::Values("bezier-like", "h-bezier"),
+                         [](const auto& test) { return std::string(test.param).substr(0, 1); });
+
+TEST_P(FairFamily, GradientIsTheDerivativeForItsShape) {
+  const auto context = std::make_shared<model::BodyContext>(car_of_family());
+  model::EvaluatorOptions options;
+  options.terms = {model::Term{}};
+  model::Evaluator evaluator(context,
+                             context->map.select(std::vector<std::string>{
+                                 "shape.roof.*", "shape.hood.*", "cut.roof.*", "curve.roof__*"}),
+                             options);
+  FairnessProblem problem(evaluator, 5.0);
+  const GradientReport report = check_gradient(problem, evaluator.start());
+  EXPECT_NEAR(report.worst_slope, 2.0, 0.1);
+  EXPECT_LE(report.worst_error, 1e-6);
+}
+
+TEST_P(FairFamily, ConvergesAndKeepsEveryEdgeSmooth) {
+  FairOptions options;
+  options.nodes = 8;
+  const FairResult result = fair(car_of_family(), options);
+  EXPECT_TRUE(result.status == Status::converged || result.status == Status::small_improvement)
+      << status_words(result.status);
+  // Two patches of another family make a body little fairer or less fair.
+  EXPECT_LT(result.end.terms[0], 1.05 * fair(car("template"), options).end.terms[0]);
+  for (const model::EdgeCheck& edge : model::check_body(result.model).edges) {
+    if (edge.stage == model::Stage::base || edge.pillar) continue;
+    EXPECT_LE(edge.deviation.normal_deviation_deg, 1e-6) << edge.name;
+  }
+  const model::Patch &before = car_of_family().patches[3], &after = result.model.patches[3];
+  EXPECT_EQ(after.basis, GetParam());
+  EXPECT_NE(after.shape_u, before.shape_u);
+  EXPECT_NE(after.shape_v, before.shape_v);
 }
 
 TEST(Fair, RefusesToHoldEverything) {

@@ -121,6 +121,33 @@ TEST(FitScan, RecoversAnotherCarFromAnUnknownPoseAndUnit) {
   EXPECT_TRUE(result.folded_faces.empty());
 }
 
+TEST(FitStart, AnEstateKeepsItsLengthAndItsLowerBody) {
+  const model::Model saloon = start_model();
+  const model::Model estate = started(saloon, {Eigen::Vector3d::Zero(), 1.0});
+  double furthest = 0.0;
+  for (std::size_t c = 0; c < saloon.curves.size(); ++c) {
+    for (std::size_t k = 0; k < saloon.curves[c].points.size(); ++k) {
+      const Eigen::Vector3d &from = saloon.curves[c].points[k], &to = estate.curves[c].points[k];
+      EXPECT_EQ(from.y(), to.y());
+      EXPECT_EQ(from.z(), to.z());
+      EXPECT_GE(to.x(), from.x());
+      if (from.z() < 500.0) {
+        EXPECT_EQ(from.x(), to.x());
+      }
+      furthest = std::max(furthest, to.x() - from.x());
+    }
+  }
+  EXPECT_GT(furthest, 500.0);  // the rear edge of the roof
+  for (const model::Surface& face : model::build(estate, model::Stage::base))
+    EXPECT_TRUE(face.net.front().allFinite());
+}
+
+TEST(FitStart, WithoutChangesIsTheModel) {
+  const model::Model model = start_model(), same = started(model, {});
+  for (std::size_t c = 0; c < model.curves.size(); ++c)
+    EXPECT_EQ(model.curves[c].points, same.curves[c].points);
+}
+
 struct RealCar {
   const char* name;
   double p90;  // mm; a car with steps and pockets has more
