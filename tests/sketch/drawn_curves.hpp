@@ -16,9 +16,9 @@ enum class Hand {
 
 struct DrawOptions {
   Hand hand = Hand::even_parameters;
-  int points = 100;         ///< of a polyline
-  double noise = 0.5;       ///< standard deviation of each coordinate, mm
-  double ends = 0.02;       ///< lines end too early or too late by up to this part of the curve
+  int points = 100;    ///< of a polyline
+  double noise = 0.5;  ///< standard deviation of each coordinate, mm
+  double ends = 0.02;  ///< lines end too early or too late by up to this part of the curve
   unsigned seed = 1;
   std::vector<model::View> views = model::all_views();
 };
