@@ -102,7 +102,7 @@ void add_strokes_command(CLI::App& program, Context& context) {
   const auto request = std::make_shared<Request>();
   CLI::App* const command =
       add_command(program, "strokes", "Make a surface of strokes drawn in space",
-                  "bodyline strokes sketch.obj -o surface.step --picture surface.png");
+                  "bodyline strokes examples/strokes.obj -o surface.step --picture surface.png");
   command
       ->add_option("STROKES", request->inputs,
                    fmt::format("Polylines: {}", fmt::join(io::stroke_extensions(), ", ")))
