@@ -19,8 +19,8 @@
 namespace bodyline::cli {
 namespace {
 
-constexpr double feature_spacing = 5.0;  // mm, of the points of a curve that is drawn
-constexpr double box_share = 0.005;      // of a scan's points beyond each side of its box
+constexpr double drawn_spacing = 5.0;  // mm, of the points of a curve that is drawn
+constexpr double box_share = 0.005;    // of a scan's points beyond each side of its box
 
 // "CURVE=FILE" or "CURVE=VIEW:FILE".
 struct FeatureFile {
@@ -57,8 +57,7 @@ Eigen::AlignedBox3d start_box(const model::Model& start) {
 Eigen::AlignedBox3d scan_box(const PlacedScan& placed) {
   std::array<std::vector<double>, 3> coordinates;
   for (const Eigen::Vector3d& point : placed.scan.points) {
-    const Eigen::Vector3d at =
-        placed.pose.scale * (placed.pose.rotation * point) + placed.pose.translation;
+    const Eigen::Vector3d at = model::to_model(placed.pose, point);
     for (int axis = 0; axis < 3; ++axis) coordinates[axis].push_back(at[axis]);
   }
   Eigen::Vector3d low, high;
@@ -69,7 +68,7 @@ Eigen::AlignedBox3d scan_box(const PlacedScan& placed) {
   return {low, high};
 }
 
-io::PlaceOptions place_options(const Bounds& bounds, const model::Model& start,
+io::PlaceOptions place_options(const optimize::Bounds& bounds, const model::Model& start,
                                const std::optional<PlacedScan>& scan) {
   io::PlaceOptions options;
   options.body = scan ? scan_box(*scan) : start_box(start);
@@ -148,7 +147,7 @@ std::vector<std::vector<Eigen::Vector3d>> lines_in_view(const FeatureFile& file,
   std::vector<std::vector<Eigen::Vector3d>> lines;
   for (const model::DrawnPath& path : drawing.paths) {
     std::vector<Eigen::Vector3d>& line = lines.emplace_back();
-    const double spacing = feature_spacing / move.linear().col(0).norm();
+    const double spacing = drawn_spacing / move.linear().col(0).norm();
     for (const Eigen::Vector2d& point : model::sample_path(path, spacing)) {
       const Eigen::Vector2d at = move * point;
       line.emplace_back(at.x(), at.y(), 0.0);
@@ -162,8 +161,7 @@ std::vector<std::vector<Eigen::Vector3d>> lines_in_space(const FeatureFile& file
   std::vector<std::vector<Eigen::Vector3d>> lines = io::read_polylines(file.path);
   if (!scan) return lines;
   for (std::vector<Eigen::Vector3d>& line : lines) {
-    for (Eigen::Vector3d& point : line)
-      point = scan->pose.scale * (scan->pose.rotation * point) + scan->pose.translation;
+    for (Eigen::Vector3d& point : line) point = model::to_model(scan->pose, point);
   }
   return lines;
 }
@@ -185,8 +183,9 @@ void add_drawn_target(CLI::App& command, DrawnRequest& request) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bounds& bounds,
-                        const model::Model& start, const std::optional<PlacedScan>& scan) {
+DrawnTarget place_drawn(Context& context, const DrawnRequest& request,
+                        const optimize::Bounds& bounds, const model::Model& start,
+                        const std::optional<PlacedScan>& scan) {
   DrawnTarget target;
   target.start = start;
   std::vector<FeatureFile> features;
@@ -194,7 +193,7 @@ DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bou
     features.push_back(parse_feature(text));
     target.features.push_back({features.back().curve, features.back().view, {{}}});
   }
-  optimize::check_feature_lines(start, target.features);
+  optimize::check_feature_curves(start, target.features);
   std::vector<io::ViewFile> files;
   io::PlacedViews placed;
   if (!request.views.empty()) {

@@ -9,7 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/scan_target.hpp"
 #include "model/drawing.hpp"
-#include "optimize/feature_target.hpp"
+#include "optimize/measure_features.hpp"
 #include "optimize/outline_deviation.hpp"
 
 namespace bodyline::cli {
@@ -37,8 +37,9 @@ struct DrawnTarget {
 /// Reads and places them: with a scan where a body lies that is fitted to it in haste, else where
 /// `start` lies. Lines in space are in the coordinates of the scan, else of the model. Throws
 /// io::InputError and std::invalid_argument.
-DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bounds& bounds,
-                        const model::Model& start, const std::optional<PlacedScan>& scan);
+DrawnTarget place_drawn(Context& context, const DrawnRequest& request,
+                        const optimize::Bounds& bounds, const model::Model& start,
+                        const std::optional<PlacedScan>& scan);
 
 /// How well a model meets them.
 struct DrawnKept {

@@ -22,7 +22,9 @@
 #include "io/read_model.hpp"
 #include "io/write_model.hpp"
 #include "optimize/deviation.hpp"
-#include "optimize/fit_scan.hpp"
+#include "optimize/feature_target.hpp"
+#include "optimize/fit_body.hpp"
+#include "optimize/hard_point_target.hpp"
 #include "optimize/outline_fit_target.hpp"
 #include "optimize/scan_fit_target.hpp"
 #include "optimize/strain_target.hpp"
@@ -59,13 +61,9 @@ void check_request(Request& request) {
   check_report(request.report, request.output.overwrite, request.input());
 }
 
-std::vector<optimize::FitTargetMaker> targets_of(const FittedCar& car, const model::Model& start,
-                                                 const optimize::FitOptions& options) {
+std::vector<optimize::FitTargetMaker> targets_of(const FittedCar& car, const model::Model& start) {
   std::vector<optimize::FitTargetMaker> targets;
-  if (car.scan) {
-    targets.push_back(optimize::scan_fit_target(car.scan->scan, car.scan->pose,
-                                                options.coarse_points, options.fine_points));
-  }
+  if (car.scan) targets.push_back(optimize::scan_fit_target(car.scan->scan, car.scan->pose));
   if (!car.drawn.outlines.empty())
     targets.push_back(
         optimize::outline_fit_target(car.drawn.outlines, car.scan ? beside_scan : 1.0));
@@ -88,7 +86,7 @@ optimize::FitResult fit(Context& context, const FittedCar& car, const model::Mod
     progress.update(-1.0, fmt::format("{} {} of {}, median distance {:.2f} mm", step.phase,
                                       step.round, step.rounds, step.distance));
   };
-  return optimize::fit_body(targets_of(car, start, options), start, options);
+  return optimize::fit_body(targets_of(car, start), start, options);
 }
 
 void print_result(Context& context, const Request& request, const FittedCar& car) {
@@ -96,7 +94,9 @@ void print_result(Context& context, const Request& request, const FittedCar& car
     print_json(context, fit_json(car));
     return;
   }
-  *context.out << fit_text(car) << "fitted model: " << request.output.path << "\n";
+  const bool failed = car.result.status == optimize::Status::failed;
+  *context.out << fit_text(car) << (failed ? "model as far as it came: " : "fitted model: ")
+               << request.output.path << "\n";
   if (request.report.wanted()) *context.out << "report: " << request.report.output.path << "\n";
 }
 
@@ -124,13 +124,14 @@ void run(Context& context, Request& request) {
         optimize::measure_deviation(car.result.model, car.scan->scan, car.scan->pose, measuring);
   }
   car.kept = measure_drawn(car.drawn, car.result.model);
+  car.bounds_kept = optimize::measure_bounds(car.result.model, car.bounds);
   car.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (request.report.wanted()) {
     io::FitReport report = fit_report(car, start, request.report);
     write_report(context, report, request.report);
   }
   print_result(context, request, car);
-  if (!car.result.folded_faces.empty()) context.exit_code = exit_findings;
+  if (has_findings(car)) context.exit_code = exit_findings;
 }
 
 void add_weights(CLI::App& command, optimize::FitOptions& options) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "optimize/estimate_normals.hpp"
+#include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -30,13 +31,6 @@ constexpr int plane_trial_points = 1500;
 constexpr double plane_half_thickness = 0.8;  // spacings
 constexpr double ground_share = 0.08;
 constexpr double ground_behind = 0.02;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // One point of each of `count` equal runs of the order: even cover even of files sorted in space.
 std::vector<std::size_t> drawn_evenly(std::size_t size, std::size_t count, unsigned seed) {

@@ -15,6 +15,7 @@
 #include "optimize/align_shape.hpp"
 #include "optimize/align_symmetry.hpp"
 #include "optimize/align_unit.hpp"
+#include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -146,9 +147,7 @@ double median_misfit(const AlignCloud& cloud, const AlignShape& shape, const Pla
   for (const Vector3d& point : cloud.points)
     misfits.push_back(
         shape.tree.nearest(placement.rotation * point + placement.translation).squared_distance);
-  const auto middle = misfits.begin() + std::ptrdiff_t(misfits.size() / 2);
-  std::nth_element(misfits.begin(), middle, misfits.end());
-  return std::sqrt(*middle);
+  return std::sqrt(median(std::move(misfits)));
 }
 
 // Shifts the car along its plane of symmetry to where it is closest to the shape as it is.
@@ -231,40 +230,25 @@ Found found_placement(const Prepared& car, const AlignShape& coarse, const Align
   return best;
 }
 
-// The given pose, judged; moved only when asked to.
+// The given pose, judged.
 Placement given_placement(const Prepared& car, const AlignShape& fine, const AlignOptions& options,
                           AlignResult& result) {
   const AlignCloud few = thinned(car.off_ground, settled_points);
   Placement given;
   given.rotation = options.pose->rotation;
   given.translation = options.pose->translation;
-  Placement placement = given;
-  if (options.refine_pose) placement = registered(few, fine, given, given_scales, all_free);
-  placement = settled(car.off_ground, fine, placement, result);
-  if (options.refine_pose) {
-    judge(car.off_ground, fine, placement, result);
-    return shifted(car.off_ground, fine, placement);
-  }
+  settled(car.off_ground, fine, given, result);  // tells which side is missing
   const Placement stretched = registered(few, fine, given, given_scales, stretches);
   judge(car.off_ground, fine, stretched, result);
   result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }
 
-void check_pose(const model::Pose& pose) {
-  const bool proper =
-      (pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6 &&
-      pose.rotation.determinant() > 0.0;
-  if (!proper) throw std::invalid_argument("the rotation of the given pose is not a rotation");
-  if (!(pose.scale > 0.0) || !std::isfinite(pose.scale) || !pose.translation.allFinite())
-    throw std::invalid_argument("the given pose needs a positive scale and a finite translation");
-}
-
 }  // namespace
 
 AlignResult align_scan(const model::Scan& scan, const model::Model& start,
                        const AlignOptions& options) {
-  if (options.pose) check_pose(*options.pose);
+  if (options.pose) model::check_pose(*options.pose);
   Prepared car = prepared(scan, options);
   const AlignShape fine = align_shape(start, fine_spacing);
   AlignResult result;

@@ -17,7 +17,7 @@ constexpr double trim = 0.9;
 
 Distances distances_of(std::vector<double> distances) {
   Distances result;
-  result.median = quantile(distances, 0.5);
+  result.median = median(distances);
   result.p90 = quantile(distances, 0.9);
   result.p99 = quantile(distances, 0.99);
   result.trimmed_rms = trimmed_rms(std::move(distances), trim);
@@ -53,7 +53,7 @@ Deviation measure_deviation(const model::Model& model, const model::Scan& scan,
   evaluator.build_parameters(context->parameters);
 
   Deviation result;
-  result.scan = folded_scan(scan, pose, options.most_points);
+  result.scan = folded_scan(scan, pose, options.most_points).scan;
   MatchOptions matching;
   matching.candidates = 3;
   result.matches =

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/geman_mcclure.hpp"
+#include "optimize/quantile.hpp"
 #include "optimize/scan_tree.hpp"
 
 namespace bodyline::optimize {
@@ -98,10 +100,7 @@ double point_spacing(const model::Scan& scan) {
     if (tree.nearest(keys[k], nearest) == 4)
       distances.push_back((scan.points[nearest[3]] - scan.points[k]).norm());
   }
-  if (distances.empty()) return 0.0;
-  const auto middle = distances.begin() + distances.size() / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  return 2.0 * *middle;
+  return 2.0 * median(std::move(distances));
 }
 
 }  // namespace
@@ -137,8 +136,7 @@ void RimPuller::append(const double* nets, double reach, double weight, std::vec
       s.tree.nearest(SearchTree::key(point.match.foot, normal, normal_length), nearest);
       const Vector3d target = s.scan->points[nearest[0]];
       const double beyond = -(target - point.match.foot).dot(point.outward) - s.tolerance;
-      const double q = beyond / reach, root = 1.0 / (1.0 + q * q);
-      const double pull = beyond > 0.0 ? each * root * root : 0.0;
+      const double pull = beyond > 0.0 ? each * geman_mcclure(beyond * beyond, reach) : 0.0;
       point.match.distance = beyond;
       matches.push_back(point.match);
       pulls.push_back({point.match.foot - beyond * point.outward,

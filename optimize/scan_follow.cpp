@@ -12,6 +12,9 @@ using Eigen::Vector3d;
 
 constexpr int chunk = 1024;  // points of one task, a multiple of the kernels' 8; the sums' order
 
+// Between the normals of the body and of the scan, for a rim to be drawn out.
+constexpr double least_rim_cosine = 0.7;
+
 // Neighbours on one face, coordinates side by side: x y z, normal x y z, u v.
 struct Block {
   int face = -1, count = 0;
@@ -115,6 +118,7 @@ model::PullRule ScanFollower::State::rule(Block& block, const PullReach& reach) 
   std::copy(rims[block.face].begin(), rims[block.face].end(), rule.rims);
   rule.normal_reach = reach.normal;
   rule.rim_reach = reach.rim;
+  rule.least_rim_cosine = least_rim_cosine;
   return rule;
 }
 

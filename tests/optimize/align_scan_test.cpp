@@ -297,21 +297,6 @@ TEST(AlignScan, SaysThatAGivenPoseIsWrong) {
   EXPECT_NE(wrong.words.find("DOES NOT LIE LIKE A CAR"), std::string::npos);
 }
 
-TEST(AlignScan, RefinesAGivenPoseWhenAsked) {
-  SampleDraw draw(9);
-  const model::Model start = car("template");
-  const Pose truth = random_pose(9);
-  AlignOptions options;
-  options.pose = truth;
-  options.pose->rotation =
-      Eigen::AngleAxisd(0.07, Vector3d(1, 2, 3).normalized()) * options.pose->rotation;
-  options.refine_pose = true;
-  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), truth);
-  const AlignResult result = align_scan(scan, start, options);
-  EXPECT_LT(degrees_off(result, truth), same_car_degrees);
-  EXPECT_LT(shift_off(result, truth), same_car_shift);
-}
-
 TEST(AlignScan, RefusesAPoseThatIsNoRotation) {
   AlignOptions options;
   options.pose = Pose{};
