@@ -111,14 +111,14 @@ void OutlineMatcher::pull_from_body() {
   for (const model::SilhouetteCurve& piece : pieces_) {
     for (int k = 0; k < int(piece.points.size()); ++k) {
       const model::SilhouettePoint& at = piece.points[k];
-      const OutlineFoot foot = tree.nearest(at.picture, at.normal);
-      const double cosine = std::max(foot.cosine, 0.0);
+      const std::optional<OutlineFoot> foot = tree.nearest(at.picture, at.normal);
       // A line that is open on both sides does not tell which part of the body it shows.
-      if (foot.beyond || foot.two_sided) continue;
+      if (!foot || foot->beyond || foot->two_sided) continue;
+      const double cosine = std::max(foot->cosine, 0.0);
       // What is drawn may show more than a body (wheels, mirrors), but not less.
       double reach = reach_of(piece);
-      if (foot.outside > 0.0) reach = std::max(reach, outside_reach);
-      add(piece, at, foot.point, length_at(piece, k) * cosine * cosine, reach);
+      if (foot->outside > 0.0) reach = std::max(reach, outside_reach);
+      add(piece, at, foot->point, length_at(piece, k) * cosine * cosine, reach);
     }
   }
 }
