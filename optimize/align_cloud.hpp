@@ -20,7 +20,8 @@ struct AlignCloud {
 /// when a coordinate is not finite.
 AlignCloud thin_and_clean(const model::Scan& scan, int count, int least_points, unsigned seed);
 
-/// Every point's share of a cloud of about `count` points.
+/// At most `count` points of a cloud, spread evenly over its order; the spacing grows with what is
+/// left out.
 AlignCloud thinned(const AlignCloud& cloud, int count);
 
 /// A plane { x : normal . x = offset }.

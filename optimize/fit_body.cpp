@@ -37,7 +37,7 @@ FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Mode
   best.tells = true;
   best.refine();
   FitResult result{best.status(), best.model(), best.history(), best.folded_faces(), 0.0};
-  // A round that ends at its limit is followed by the next; only the last one's limit is the fit's.
+  // Stopped between two rounds, none of them knows of it.
   if (best.stopped()) result.status = Status::interrupted;
   result.seconds = std::chrono::duration<double>(FitRounds::Clock::now() - begin).count();
   return result;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/bernstein.hpp"
 #include "model/largest_coordinate.hpp"
 #include "optimize/bounded_target.hpp"
+#include "optimize/distance_row.hpp"
 #include "optimize/scan_match.hpp"
 
 namespace bodyline::optimize {
@@ -35,27 +35,6 @@ class HardPointTarget : public BoundedTarget {
   model::Scan positions_;
   ScanMatcher matcher_;
 };
-
-// The signed distance of a point from the tangent plane at its foot, outside positive, with the
-// foot and the normal held.
-NetRow distance_row(const model::Face& face, const Match& match, const Eigen::Vector3d& normal,
-                    const double* nets) {
-  const auto in_u = model::bernstein(face.degree_u, match.u);
-  const auto in_v = model::bernstein(face.degree_v, match.v);
-  NetRow row;
-  row.offset = match.distance;
-  for (int i = 0; i <= face.degree_u; ++i) {
-    for (int j = 0; j <= face.degree_v; ++j) {
-      const double weight = in_u.d[0][i] * in_v.d[0][j];
-      for (int axis = 0; axis < 3; ++axis) {
-        const int number = 3 * (face.net + i * (face.degree_v + 1) + j) + axis;
-        row.slopes.push_back({number, -weight * normal[axis]});
-        row.offset += weight * normal[axis] * nets[number];
-      }
-    }
-  }
-  return row;
-}
 
 std::vector<NetRow> HardPointTarget::measure(const double* nets) {
   const std::vector<Match> matches = matcher_.match(nets);

@@ -95,6 +95,28 @@ TEST_F(BoundsOptions, BeyondAKilometreAreRefused) {
   EXPECT_THAT(refusal({"--dimension", "length=1e300"}), HasSubstr("'length' must lie within 1 km"));
 }
 
+TEST_F(BoundsOptions, WhatIsNoCarIsRefusedWithItsFile) {
+  std::string points;
+  for (int k = 0; k < 2000; ++k)
+    points += std::to_string(k % 50 * 90) + " " + std::to_string(k / 50 * 40) + " 0\n";
+  write("flat.xyz", points);
+  const auto run = bodyline({"fit", "flat.xyz", "-o", "out.toml"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("flat.xyz: the scan is a flat plane, not a car"));
+  EXPECT_THAT(run.err, HasSubstr("--pose"));
+}
+
+TEST_F(BoundsOptions, ALineThatIsTooFarOrTooLongIsRefusedWithItsFile) {
+  write("far.csv", "0 0 0\n0 0 2000000\n");
+  EXPECT_THAT(refusal({"--pose", "none", "--feature", "windshield__roof=far.csv"}),
+              HasSubstr("far.csv: the line of the feature 'windshield__roof' goes beyond 1 km"));
+  std::string to_and_fro;
+  for (int k = 0; k < 2000; ++k) to_and_fro += k % 2 == 0 ? "0 0 0\n" : "0 0 900000\n";
+  write("long.csv", to_and_fro);
+  EXPECT_THAT(refusal({"--pose", "none", "--feature", "windshield__roof=long.csv"}),
+              HasSubstr("long.csv: the line of the feature 'windshield__roof' is too long"));
+}
+
 TEST_F(BoundsOptions, AnUnknownDimensionIsRefusedWithTheNearest) {
   EXPECT_THAT(refusal({"--dimension", "lenth=4000"}), HasSubstr("the nearest is 'length'"));
 }

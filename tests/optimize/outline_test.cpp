@@ -171,7 +171,7 @@ class Retraced {
     model::SilhouetteOptions fine;
     fine.spacing = 2.0;
     return match_outline(body, model::silhouette(body, samples.view, fine), samples,
-                         {{endless, endless}, true, false});
+                         {{endless, endless}, false});
   }
 
   int variable(const std::string& name) const {
