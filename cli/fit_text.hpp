@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/bounds_options.hpp"
-#include "cli/drawn_target.hpp"
+#include "cli/drawn_text.hpp"
 #include "cli/scan_target.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_body.hpp"

@@ -34,7 +34,7 @@ struct PlaneMatch {
   double agreement;  ///< of the normals, 0 to 1
 };
 
-PlaneMatch match(const Vector3d& point, const Vector3d& normal, const AlignShape& shape,
+PlaneMatch match(const Vector3d& point, const Vector3d& normal, const BodySamples& shape,
                  const Placement& placement) {
   PlaneMatch found;
   found.arm = placement.rotation * point + placement.translation - shape.centre();
@@ -100,7 +100,7 @@ void move(const Vector9& step, const Vector3d& centre, Placement& placement) {
 
 }  // namespace
 
-Placement registered(const AlignCloud& cloud, const AlignShape& shape, Placement placement,
+Placement registered(const AlignCloud& cloud, const BodySamples& shape, Placement placement,
                      const std::vector<double>& scales, const Freedoms& free) {
   for (double scale : scales) {
     NormalEquations sum;
@@ -113,7 +113,7 @@ Placement registered(const AlignCloud& cloud, const AlignShape& shape, Placement
   return placement;
 }
 
-double points_score(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+double points_score(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
                     double tolerance) {
   double sum = 0.0;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
@@ -124,7 +124,7 @@ double points_score(const AlignCloud& cloud, const AlignShape& shape, const Plac
 }
 
 PlacementScore placement_score(const AlignCloud& cloud, const PointTree& tree,
-                               const AlignShape& shape, const Placement& placement,
+                               const BodySamples& shape, const Placement& placement,
                                double tolerance) {
   PlacementScore score;
   score.points = points_score(cloud, shape, placement, tolerance);

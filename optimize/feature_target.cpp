@@ -4,7 +4,7 @@
 
 #include "model/net_surface.hpp"
 #include "optimize/feature_curve.hpp"
-#include "optimize/scan_term.hpp"
+#include "optimize/pull_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -52,7 +52,7 @@ class FeatureTarget : public FitTarget {
       : plan_(&plan),
         lines_(std::move(lines)),
         weight_(weight),
-        term_(std::make_shared<ScanTerm>(plan, model::Stage::base)) {}
+        term_(std::make_shared<PullTerm>(plan, model::Stage::base)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, weight_}; }
@@ -64,7 +64,7 @@ class FeatureTarget : public FitTarget {
   const model::BodyPlan* plan_;
   std::shared_ptr<const std::vector<TiedLine>> lines_;
   double weight_;
-  std::shared_ptr<ScanTerm> term_;
+  std::shared_ptr<PullTerm> term_;
   std::vector<double> distances_;
   std::vector<Match> matches_;
   std::vector<MatchPull> pulls_;

@@ -16,7 +16,8 @@ std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
                                   FitRounds::Clock::time_point begin) {
   std::vector<FitRounds> all;
   for (const FitStart& change : options.starts)
-    all.emplace_back(targets, options, started(start, change), begin).tells = all.size() == 1;
+    all.emplace_back(targets, options, started(start, change), begin);
+  all.front().tell(true);
   tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t k) {
     // Whoever waits inside one start must not begin another.
     tbb::this_task_arena::isolate([&] { all[k].approach(); });
@@ -34,7 +35,7 @@ FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Mode
   FitRounds& best =
       *std::min_element(all.begin(), all.end(),
                         [](const FitRounds& a, const FitRounds& b) { return a.closer_than(b); });
-  best.tells = true;
+  best.tell(true);
   best.refine();
   FitResult result{best.status(), best.model(), best.history(), best.folded_faces(), 0.0};
   // Stopped between two rounds, none of them knows of it.

@@ -18,6 +18,17 @@ constexpr double rims_decay = 0.5;  // a rim that the scan does not show well ma
 
 constexpr int nodes = 8, unfold_nodes = 16;
 
+// Evaluations of a round: the more, the more there is to move.
+constexpr int warp_evaluations = 60, curve_evaluations = 100, body_evaluations = 150;
+
+FitRound first_round(const FitOptions& options, int nodes_per_direction) {
+  FitRound round;
+  round.fold_weight = options.fold;
+  round.nodes = nodes_per_direction;
+  round.rims = options.rims;
+  return round;
+}
+
 // Scales shrink geometrically from the first round to the last.
 double scale_of(double first, double last, int round, int rounds) {
   const double share = rounds > 1 ? double(round) / (rounds - 1) : 1.0;
@@ -65,13 +76,14 @@ void FitRounds::one_round(FitPhase& phase, const std::string& name, int index, i
   failed_ = status_ == Status::failed;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   history_.push_back({name, index + 1, rounds, outcome.distance, seconds});
-  if (tells && options_->on_progress) options_->on_progress(history_.back());
+  if (tells_ && options_->on_progress) options_->on_progress(history_.back());
 }
 
 void FitRounds::run(FitPhase& phase, const std::string& name, int rounds, double first,
                     double last) {
   failed_ = false;
-  FitRound round{true, {first, 0.0}, options_->fold, {}, nodes, options_->rims};
+  FitRound round = first_round(*options_, nodes);
+  round.reach.normal = first;
   for (int k = 0; k < rounds && !over(); ++k) {
     round.search_anew = k % rounds_per_search == 0;
     round.reach.normal = scale_of(first, last, k, rounds);
@@ -85,8 +97,8 @@ void FitRounds::run(FitPhase& phase, const std::string& name, int rounds, double
 // Keeps the round with the fewest folds.
 void FitRounds::unfold(FitPhase& phase) {
   folded_faces_ = find_folded_faces(model_);
-  FitRound round{
-      true, {options_->near, options_->rim_near}, options_->fold, {}, unfold_nodes, options_->rims};
+  FitRound round = first_round(*options_, unfold_nodes);
+  round.reach = {options_->near, options_->rim_near};
   for (int k = 0; k < options_->unfold_rounds && !folded_faces_.empty() && !over(); ++k) {
     round.search_anew = k % rounds_per_search == 0;
     round.fold_weight *= fold_growth;
@@ -103,14 +115,14 @@ void FitRounds::unfold(FitPhase& phase) {
 
 void FitRounds::approach() {
   const double middle = std::sqrt(options_->far * options_->near);
-  FitPhase warp = phase(model::Stage::base, {}, 0.0, 60);
+  FitPhase warp = phase(model::Stage::base, {}, 0.0, warp_evaluations);
   run(warp, "warp", options_->warp_rounds, options_->far, 2.0 * middle);
-  FitPhase curves = phase(model::Stage::base, {"curve.*"}, options_->bending, 100);
+  FitPhase curves = phase(model::Stage::base, {"curve.*"}, options_->bending, curve_evaluations);
   run(curves, "curves", options_->curve_rounds, 2.0 * middle, middle);
 }
 
 void FitRounds::refine() {
-  FitPhase body = phase(model::Stage::body, {"*"}, options_->bending, 150);
+  FitPhase body = phase(model::Stage::body, {"*"}, options_->bending, body_evaluations);
   run(body, "body", options_->body_rounds, std::sqrt(options_->far * options_->near),
       options_->near);
   unfold(body);

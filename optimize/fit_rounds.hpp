@@ -36,8 +36,8 @@ class FitRounds {
   /// Whether the user asked to stop.
   bool stopped() const { return options_->should_stop && options_->should_stop(); }
 
-  /// Whether its rounds are told to FitOptions::on_progress.
-  bool tells = true;
+  /// Whether its rounds are told to FitOptions::on_progress from now on; at first they are not.
+  void tell(bool tells) { tells_ = tells; }
 
  private:
   FitPhase phase(model::Stage stage, std::vector<std::string> vary, double bending,
@@ -55,6 +55,7 @@ class FitRounds {
   Clock::time_point begin_;
   std::vector<FitProgress> history_;
   std::vector<std::string> folded_faces_;
+  bool tells_ = false;
   Status status_ = Status::failed;
   bool failed_ = false;  // the last round of the phase
   double misfit_ = std::numeric_limits<double>::quiet_NaN();

@@ -23,7 +23,7 @@ class OutlineFitTarget : public FitTarget {
         stage_(stage),
         outlines_(std::move(outlines)),
         weight_(weight),
-        term_(std::make_shared<ScanTerm>(plan, stage)) {}
+        term_(std::make_shared<PullTerm>(plan, stage)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, weight_}; }
@@ -34,7 +34,7 @@ class OutlineFitTarget : public FitTarget {
   model::Stage stage_;
   std::shared_ptr<const Outlines> outlines_;
   double weight_;
-  std::shared_ptr<ScanTerm> term_;
+  std::shared_ptr<PullTerm> term_;
   TargetFit fit_;
 };
 

@@ -5,8 +5,8 @@
 #include "model/silhouette.hpp"
 #include "optimize/outline_samples.hpp"
 #include "optimize/pull_reach.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 
@@ -16,7 +16,7 @@ struct OutlineMatching {
   bool from_body = true;  ///< the silhouette's points pull too, to their nearest of the drawing
 };
 
-/// Matches of points of silhouettes, and what pulls at them in the picture; see ScanTerm.
+/// Matches of points of silhouettes, and what pulls at them in the picture; see PullTerm.
 struct OutlinePulls {
   std::vector<Match> matches;
   std::vector<MatchPull> pulls;

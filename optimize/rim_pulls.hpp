@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/body_plan.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "optimize/folded_scan.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/rim_pulls.hpp"
 #include "optimize/scan_follow.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -24,7 +24,7 @@ class ScanFitTarget : public FitTarget {
         kernels_(&model::kernels(model::best_isa())),
         faces_(&plan.faces(stage)),
         follower_(plan, stage, *scan_, rims_of(plan, stage)),
-        term_(std::make_shared<ScanTerm>(plan, stage)) {}
+        term_(std::make_shared<PullTerm>(plan, stage)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, 1.0}; }
@@ -37,7 +37,7 @@ class ScanFitTarget : public FitTarget {
   const model::Kernels* kernels_;
   const std::vector<model::Face>* faces_;
   ScanFollower follower_;
-  std::shared_ptr<ScanTerm> term_;
+  std::shared_ptr<PullTerm> term_;
 };
 
 void ScanFitTarget::match(const double* nets, const FitRound& round) {

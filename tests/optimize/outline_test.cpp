@@ -264,7 +264,7 @@ TEST_P(OutlineDerivative, IsThatOfTheRetracedSilhouette) {
       slope += change;
       bulk += std::abs(change);
     }
-    ScanTerm term(car.plan(), stage);
+    PullTerm term(car.plan(), stage);
     term.set(held.matches, held.pulls);
     std::vector<double> bar(3 * std::size_t(car.plan().point_count), 0.0);
     term.value(car.evaluator().nets(), 1.0, bar.data());

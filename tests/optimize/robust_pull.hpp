@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "optimize/pull_moments.hpp"
 #include "optimize/pull_reach.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_moments.hpp"
 
 namespace bodyline::optimize {
 

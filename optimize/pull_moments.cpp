@@ -1,4 +1,4 @@
-#include "optimize/scan_moments.hpp"
+#include "optimize/pull_moments.hpp"
 
 #include <tbb/parallel_for.h>
 
