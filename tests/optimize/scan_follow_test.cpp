@@ -68,13 +68,13 @@ TEST_P(Follow, WithoutStepsHasTheMomentsOfThePullsOneByOne) {
   EXPECT_GT(compared, 10U);
 }
 
-TEST(Follow, AfterASmallMoveHasTheDistancesOfANewMatch) {
+TEST(ScanFollower, AfterASmallMoveHasTheDistancesOfANewMatch) {
   const CarNets car(model::Stage::base);
   const model::BodyPlan& plan = car.context->plan;
   const model::Scan scan = points_off(car, 2000, 3.0, 0.2);
   const ScanMatcher matcher(plan, car.stage, scan);
   std::vector<double> moved = car.copy();
-  for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += 2.0 * std::sin(0.7 * double(k));
+  for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += 5.0 * std::sin(0.7 * double(k));
   ScanFollower follower(plan, car.stage, scan, rims_of(plan, car.stage));
   follower.start(matcher.match(car.nets()));
   follower.follow(car.nets(), reach, 0);
