@@ -67,17 +67,19 @@ TEST(FitCar, WithoutAScanTheShapeOfTheStartIsHeld) {
   EXPECT_EQ(fit_starts(car).front().move, Vector3d::Zero());
 }
 
-TEST(Stretched, HasTheSizesThatAreGivenAndKeepsTheOthers) {
-  constexpr double rounding = 1e-6;  // mm
+TEST(Stretched, MovesPointsWithTheSidesOfTheBoxAndKeepsSizesThatAreNotGiven) {
+  constexpr double rounding = 1e-9;  // mm
   const model::Model car = template_car();
-  const Eigen::AlignedBox3d box = body_box(car);
-  const model::Model longer = stretched(car, box, {5000.0, 0.0, 1500.0});
-  const Eigen::AlignedBox3d after = body_box(longer);
-  EXPECT_NEAR(after.sizes().x(), 5000.0, rounding);
-  EXPECT_NEAR(after.sizes().y(), box.sizes().y(), rounding);
-  EXPECT_NEAR(after.sizes().z(), 1500.0, rounding);
-  EXPECT_NEAR(after.min().x(), box.min().x(), rounding);
-  EXPECT_NEAR(after.min().z(), box.min().z(), rounding);
+  const Eigen::AlignedBox3d box({0.0, -900.0, 100.0}, {4000.0, 900.0, 1400.0});
+  const model::Model longer = stretched(car, box, {5000.0, 0.0, 1950.0});
+  for (std::size_t c = 0; c < car.curves.size(); ++c) {
+    for (std::size_t k = 0; k < car.curves[c].points.size(); ++k) {
+      const Vector3d &from = car.curves[c].points[k], &to = longer.curves[c].points[k];
+      EXPECT_NEAR(to.x(), 1.25 * from.x(), rounding);
+      EXPECT_EQ(to.y(), from.y());
+      EXPECT_NEAR(to.z(), 100.0 + 1.5 * (from.z() - 100.0), rounding);
+    }
+  }
 }
 
 TEST(ScanBox, IsThatOfTheBodyWhateverThePose) {
