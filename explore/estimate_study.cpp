@@ -4,7 +4,9 @@
 #include <chrono>
 
 #include "explore/block_codec.hpp"
+#include "explore/goal_functions.hpp"
 #include "explore/measure_rows.hpp"
+#include "explore/optimizer_kind.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -17,11 +19,33 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+// The longest that a search by gradients may take for a row.
+double seconds_of_search(const std::shared_ptr<const VariantPlan>& plan, const VariantRows& rows) {
+  const auto& optimizer = plan->study.optimizer;
+  if (!optimizer || !uses_gradients(optimizer->kind)) return 0.0;
+  GoalFunctions functions(plan, GoalFunctions::Goals::each);
+  const std::size_t columns = std::size_t(plan->space.column_count());
+  Eigen::VectorXd values;
+  Eigen::MatrixXd jacobian;
+  const Clock::time_point begin = Clock::now();
+  int times = 0;
+  do {
+    for (std::size_t row = 0; row < std::size_t(rows.count); ++row) {
+      functions.evaluate(
+          functions.space().point(std::span(rows.values).subspan(row * columns, columns)), values,
+          jacobian);
+    }
+    ++times;
+  } while (Clock::now() - begin < timed_for);
+  return optimizer->evaluations * seconds_since(begin) / (times * rows.count);
+}
+
 }  // namespace
 
-StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan,
-                             const VariantSource& source) {
+StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan) {
   StudyEstimate estimate;
+  const auto starts = make_source(plan->study, plan->space);
+  const VariantSource& source = *starts;
   estimate.variants = source.size();
   const StoreLayout layout(plan->study, plan->space);
   VariantRows& rows = estimate.tried;
@@ -41,7 +65,8 @@ StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan,
     measure_rows(evaluator, rows);
     ++times;
   } while (Clock::now() - begin < timed_for);
-  estimate.seconds_per_variant = seconds_since(begin) / (times * rows.count);
+  estimate.seconds_per_variant =
+      seconds_since(begin) / (times * rows.count) + seconds_of_search(plan, rows);
 
   // How far a block compresses, seen on one whose metrics are those of the three.
   VariantRows block = make_rows(

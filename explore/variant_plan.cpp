@@ -41,11 +41,14 @@ std::vector<std::string> cause_names(const Study& study, const DesignSpace& spac
   return names;
 }
 
+model::Term term_of(const MetricSpec& metric) {
+  return {term_kind_of(metric.kind), 1.0, metric.stage, metric.faces};
+}
+
 std::vector<model::Term> metric_terms(const Study& study) {
   std::vector<model::Term> terms;
   for (const MetricSpec& metric : study.metrics) {
-    if (is_term(metric.kind))
-      terms.push_back({term_kind_of(metric.kind), 1.0, metric.stage, metric.faces});
+    if (is_term(metric.kind)) terms.push_back(term_of(metric));
   }
   return terms;
 }
@@ -59,8 +62,7 @@ void check_metrics(const Study& study, const DesignSpace& space) {
     }
     if (!is_term(metric.kind)) continue;
     try {
-      const model::Term term{term_kind_of(metric.kind), 1.0, metric.stage, metric.faces};
-      model::plan_face_work(space.context()->plan, {term}, nodes);
+      model::plan_face_work(space.context()->plan, {term_of(metric)}, nodes);
     } catch (const std::invalid_argument& error) {
       throw StudyError("metrics." + metric.name + ".faces", error.what());
     }

@@ -26,6 +26,9 @@ struct VariantPlan {
 /// joints, corners) and metrics.
 std::vector<std::string> cause_names(const Study& study, const DesignSpace& space);
 
+/// A metric that is a term of an objective as one, of weight 1.
+model::Term term_of(const MetricSpec& metric);
+
 /// The terms of an objective among the metrics, in their order, each with weight 1.
 std::vector<model::Term> metric_terms(const Study& study);
 
