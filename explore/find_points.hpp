@@ -8,8 +8,8 @@
 
 namespace bodyline::explore {
 
-/// Solves the tasks of a round on several threads, each by a constrained search with sequential
-/// quadratic programming.
+/// Solves the tasks of a round on several threads, each by a constrained search (CCSA of Svanberg,
+/// 2002, with quadratic models).
 class PointFinder {
  public:
   /// Makes the functions for one thread: two objectives, then constraints.

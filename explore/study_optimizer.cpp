@@ -16,7 +16,7 @@ constexpr std::int64_t most_points = 100'000, most_evaluations = 1'000'000;
 constexpr std::int64_t least_population = 8;
 constexpr std::size_t most_objectives = 20;
 constexpr double largest_weight = 1e12;
-constexpr int local_evaluations = 200, front_evaluations = 50;
+constexpr int local_evaluations = 200, front_evaluations = 25;
 
 struct OptimizerKeys {
   std::set<std::string> needed, allowed;

@@ -8,7 +8,7 @@ namespace bodyline::explore {
 namespace {
 
 constexpr double wide_gap = 0.5;      // of the widest: bisected in one round
-constexpr double least_unit = 0.05;   // of an aim's direction in either objective
+constexpr double even = 1.5;          // ratio of widths of gaps that are about the same
 constexpr double least_part = 0.02;   // of a gap, that a point must part from it
 
 class Tracer {
@@ -17,7 +17,7 @@ class Tracer {
 
   bool find_ends(const Eigen::VectorXd& start) {
     std::vector<FrontTask> tasks;
-    for (int k = 0; k < 2; ++k) tasks.push_back({start, {{k, 0.0, 1.0}}});
+    for (int k = 0; k < 2; ++k) tasks.push_back({start, {{k, 0.0, 0.0}}});
     if (!take(tasks)) return false;
     for (int k = 0; k < 2; ++k) {
       low_[k] = points_[std::size_t(k)].values[k];
@@ -92,15 +92,31 @@ class Tracer {
     return gaps;
   }
 
+  // On the cubic through two points on either side where they are about as far from each other, on
+  // the chord elsewhere.
+  Eigen::VectorXd between(const Gap& gap) const {
+    const Eigen::VectorXd mean = 0.5 * (points_[gap.left].x + points_[gap.right].x);
+    const std::vector<std::size_t> all = chain();
+    const auto at = std::size_t(std::find(all.begin(), all.end(), gap.left) - all.begin());
+    if (at == 0 || at + 2 >= all.size()) return mean;
+    const std::size_t before = all[at - 1], behind = all[at + 2];
+    for (const double width :
+         {(place(before) - place(gap.left)).norm(), (place(gap.right) - place(behind)).norm()}) {
+      if (width > even * gap.width || gap.width > even * width) return mean;
+    }
+    return (1.125 * mean - 0.0625 * (points_[before].x + points_[behind].x))
+        .cwiseMax(0.0)
+        .cwiseMin(1.0);
+  }
+
   FrontTask task_between(const Gap& gap) const {
-    const Eigen::Vector2d left = place(gap.left), right = place(gap.right);
-    const Eigen::Vector2d middle = 0.5 * (left + right);
-    const Eigen::Vector2d normal =
-        Eigen::Vector2d(left.y() - right.y(), right.x() - left.x()).normalized().cwiseMax(least_unit);
+    const FrontPoint &left = points_[gap.left], &right = points_[gap.right];
     FrontTask task;
-    task.start = 0.5 * (points_[gap.left].x + points_[gap.right].x);
-    for (int k = 0; k < 2; ++k)
-      task.aims.push_back({k, low_[k] + middle[k] * unit_[k], normal[k] * unit_[k]});
+    task.start = between(gap);
+    for (int k = 0; k < 2; ++k) {
+      task.aims.push_back({k, 0.5 * (left.values[k] + right.values[k]),
+                           std::abs(left.values[k] - right.values[k])});
+    }
     return task;
   }
 

@@ -16,6 +16,7 @@ namespace bodyline::explore {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double tolerance = 1e-7;    // of the sum at the start
 constexpr double typical_move = 0.3;  // of a range
 
 // The sum of goals as a problem without constraints.
@@ -72,11 +73,9 @@ class Worker {
       options.max_evaluations = spec.evaluations;
       return optimize::minimize(problem, start, options).x;
     }
-    Eigen::VectorXd first;
-    Eigen::MatrixXd ignored;
-    if (!functions_.evaluate(start, first, ignored)) return start;
     optimize::ConstrainedSearch search;
-    search.aims = {{0, first[0], std::max(std::abs(first[0]), 1e-12)}};
+    search.aims = {{}};
+    search.tolerance = tolerance;
     search.first_constraint = 1;
     search.algorithm = spec.algorithm;
     search.max_evaluations = spec.evaluations;

@@ -15,6 +15,7 @@ namespace {
 constexpr double bowl_rise = 10.0;          // of a function to a point without value, in its units
 constexpr double aim_tolerance = 1e-9;      // by which an aim may exceed the bound on all
 constexpr double smallest_step = 1e-9;      // in the cube
+constexpr double worthwhile = 100.0;        // gain of a call of NLopt, in tolerances, for another
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Optimizer = std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)>;
@@ -26,7 +27,13 @@ class Run {
   Run(SmoothFunctions& functions, const Eigen::VectorXd& start, const ConstrainedSearch& search)
       : functions_(functions), search_(search) {
     x_ = start.cwiseMax(0.0).cwiseMin(1.0);
-    evaluate();
+    ++best_.evaluations;
+    if (!functions_.evaluate(x_, values_, jacobian_)) return;
+    for (Aim& aim : search_.aims) {
+      const double size = std::abs(values_[aim.function]);
+      if (aim.unit <= 0.0) aim.unit = size > 0.0 ? size : 1.0;
+    }
+    offer();
   }
 
   bool has_start() const { return best_.values.size() > 0; }
@@ -45,9 +52,10 @@ class Run {
     return 1.0;
   }
   void evaluate();
+  void stage(nlopt_opt optimizer);
   void offer();
   void show_bowl();
-  bool move_to(unsigned n, const double* y);
+  void move_to(unsigned n, const double* y);
   double objective(unsigned n, const double* y, double* gradient);
   void constraints(unsigned m, double* result, unsigned n, const double* y, double* gradient);
   unsigned constraint_count() const {
@@ -64,11 +72,12 @@ class Run {
   }
 
   SmoothFunctions& functions_;
-  const ConstrainedSearch& search_;
+  ConstrainedSearch search_;
   Eigen::VectorXd x_, values_;  // the last evaluation
   Eigen::MatrixXd jacobian_;
   ConstrainedResult best_;
   nlopt_opt optimizer_ = nullptr;
+  bool over_ = false;
   std::exception_ptr error_;
 };
 
@@ -105,28 +114,28 @@ void Run::evaluate() {
   ++best_.evaluations;
   if (functions_.evaluate(x_, values_, jacobian_)) {
     offer();
-  } else if (has_start()) {
+  } else {
     show_bowl();
   }
 }
 
-// False when nothing may be evaluated any more.
-bool Run::move_to(unsigned n, const double* y) {
+// Stays at the last point when nothing may be evaluated any more.
+void Run::move_to(unsigned n, const double* y) {
   const Eigen::Map<const Eigen::VectorXd> given(y, Eigen::Index(n) - (bounded() ? 1 : 0));
   const Eigen::VectorXd x = given.cwiseMax(0.0).cwiseMin(1.0);
-  if (x == x_) return true;
+  if (x == x_) return;
   if (error_ == nullptr && best_.evaluations < search_.max_evaluations &&
       !(search_.should_stop && search_.should_stop())) {
     try {
       x_ = x;
       evaluate();
-      return true;
+      return;
     } catch (...) {
       error_ = std::current_exception();
     }
   }
+  over_ = true;
   nlopt_force_stop(optimizer_);
-  return false;
 }
 
 double Run::objective(unsigned n, const double* y, double* gradient) {
@@ -178,6 +187,17 @@ nlopt_algorithm nlopt_name(Algorithm algorithm) {
   }
 }
 
+// One call of NLopt from the best point.
+void Run::stage(nlopt_opt optimizer) {
+  Eigen::VectorXd y(x_.size() + (bounded() ? 1 : 0));
+  y.head(x_.size()) = best_.x;
+  if (bounded()) y[y.size() - 1] = best_.largest;
+  double value = 0.0;
+  const nlopt_result result = nlopt_optimize(optimizer, y.data(), &value);
+  if (error_ != nullptr) std::rethrow_exception(error_);
+  if (result == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
+}
+
 ConstrainedResult Run::optimize() {
   const Eigen::Index size = x_.size() + (bounded() ? 1 : 0);
   const Optimizer optimizer(nlopt_create(nlopt_name(search_.algorithm), unsigned(size)),
@@ -185,12 +205,9 @@ ConstrainedResult Run::optimize() {
   if (optimizer == nullptr) throw std::bad_alloc();
   optimizer_ = optimizer.get();
   Eigen::VectorXd lower = Eigen::VectorXd::Zero(size), upper = Eigen::VectorXd::Ones(size);
-  Eigen::VectorXd y(size);
-  y.head(x_.size()) = x_;
   if (bounded()) {
     lower[size - 1] = -infinity;
     upper[size - 1] = infinity;
-    y[size - 1] = best_.largest;
   }
   nlopt_set_lower_bounds(optimizer_, lower.data());
   nlopt_set_upper_bounds(optimizer_, upper.data());
@@ -202,10 +219,13 @@ ConstrainedResult Run::optimize() {
   }
   nlopt_set_ftol_abs(optimizer_, search_.tolerance);
   nlopt_set_xtol_abs1(optimizer_, smallest_step);
-  double value = 0.0;
-  const nlopt_result result = nlopt_optimize(optimizer_, y.data(), &value);
-  if (error_ != nullptr) std::rethrow_exception(error_);
-  if (result == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
+  double largest, violation;
+  do {
+    largest = best_.largest;
+    violation = best_.violation;
+    stage(optimizer_);
+  } while (!over_ && (best_.violation < violation ||
+                      largest - best_.largest > worthwhile * search_.tolerance));
   return best_;
 }
 

@@ -13,7 +13,7 @@ namespace bodyline::optimize {
 struct Aim {
   int function = 0;
   double reference = 0.0;
-  double unit = 1.0;  ///< positive
+  double unit = 0.0;  ///< positive; 0: the size of its value at the start, or 1 where that is 0
 };
 
 /// What to search: the largest of the aims as small as possible (the achievement function of
@@ -24,7 +24,9 @@ struct ConstrainedSearch {
   int first_constraint = 0;
   Algorithm algorithm = Algorithm::nlopt_slsqp;  ///< or nlopt-mma, nlopt-ccsaq
   int max_evaluations = 100;                     ///< of all functions together, with gradients
-  double tolerance = 1e-6;             ///< ends when the largest aim improves by less
+  /// Ends when a step improves the largest aim by less. The library is started again from the best
+  /// point for as long as that gains a hundred times more.
+  double tolerance = 1e-4;
   std::function<bool()> should_stop;   ///< polled at every evaluation; may be empty
 };
 
