@@ -36,10 +36,9 @@ struct Population {
 /// batch. The population must be a multiple of 4, 8 or more.
 Population evolve_nsga2(ObjectiveBatch& objectives, const EvolutionOptions& options);
 
-/// MOEA/D with differential evolution of Li and Zhang, 2009, from pagmo's parts, but for whole
-/// generations: all children are bred from the population of the generation before, and evaluated
-/// in one batch, before any takes its place. (pagmo's own MOEA/D in version 2.18 evaluates child by
-/// child, on one thread.)
+/// MOEA/D with differential evolution of Li and Zhang, 2009, from pagmo's parts, but in batches: 24
+/// children are bred from the population as it is and evaluated at once before any takes its place.
+/// (pagmo's own MOEA/D in version 2.18 evaluates child by child, on one thread.)
 Population evolve_moead(ObjectiveBatch& objectives, const EvolutionOptions& options);
 
 }  // namespace bodyline::explore

@@ -22,6 +22,10 @@ constexpr double crossover = 1.0, scale = 0.5;
 constexpr double mutation_index = 20.0;
 constexpr double neighbours_only = 0.9;  // probability that parents are neighbours
 constexpr int most_replaced = 2;         // by one child
+// Children that are evaluated at once, none of which knows of the others: enough for many threads.
+// With a whole generation of 100 the population is, after 25,000 evaluations, twice as far from the
+// front of ZDT1.
+constexpr Index batch = 24;
 
 Rows rows_of(const std::vector<double>& values, int size) {
   Rows rows;
@@ -53,21 +57,32 @@ class Decomposition {
     bounds_ = {vector_double(points_.front().size(), 0.0), vector_double(points_.front().size(), 1.0)};
   }
 
+  // One child for every place, in random order.
   void evolve() {
-    Rows children;
-    std::vector<bool> local;
-    for (Index k = 0; k < points_.size(); ++k) {
-      local.push_back(uniform() < neighbours_only);
-      children.push_back(child(k, local.back()));
+    std::vector<Index> order(points_.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::shuffle(order.begin(), order.end(), random_);
+    for (Index first = 0; first < order.size(); first += batch) {
+      evolve(std::span(order).subspan(first, std::min(batch, order.size() - first)));
     }
-    const Rows values = evaluate(children);
-    for (const vector_double& row : values) lower_ideal(row);
-    for (Index k = 0; k < children.size(); ++k) replace(k, local[k], children[k], values[k]);
   }
 
   Population population() const { return {flat(points_), flat(values_)}; }
 
  private:
+  void evolve(std::span<const Index> places) {
+    Rows children;
+    std::vector<bool> local;
+    for (const Index place : places) {
+      local.push_back(uniform() < neighbours_only);
+      children.push_back(child(place, local.back()));
+    }
+    const Rows values = evaluate(children);
+    for (const vector_double& row : values) lower_ideal(row);
+    for (Index k = 0; k < children.size(); ++k)
+      replace(places[k], local[k], children[k], values[k]);
+  }
+
   double uniform() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
   Index any(Index count) { return std::uniform_int_distribution<Index>(0, count - 1)(random_); }
 

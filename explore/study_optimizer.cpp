@@ -83,7 +83,7 @@ void check_goal_count(const FileTable& table, const OptimizerSpec& optimizer) {
 optimize::Algorithm algorithm_of(const FileTable& table, const Study& study) {
   const bool constrained = !study.constraints.empty();
   if (!table.has("algorithm"))
-    return constrained ? optimize::Algorithm::nlopt_slsqp : optimize::Algorithm::nlopt_lbfgs;
+    return constrained ? optimize::Algorithm::nlopt_ccsaq : optimize::Algorithm::nlopt_lbfgs;
   try {
     return optimize::algorithm_from_name(table.text("algorithm"));
   } catch (const std::invalid_argument& error) {

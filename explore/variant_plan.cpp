@@ -45,10 +45,14 @@ model::Term term_of(const MetricSpec& metric) {
   return {term_kind_of(metric.kind), 1.0, metric.stage, metric.faces};
 }
 
-std::vector<model::Term> metric_terms(const Study& study) {
-  std::vector<model::Term> terms;
+MetricTerms metric_terms(const Study& study) {
+  MetricTerms terms;
+  bool has_variation = false;
   for (const MetricSpec& metric : study.metrics) {
-    if (is_term(metric.kind)) terms.push_back(term_of(metric));
+    if (!is_term(metric.kind)) continue;
+    const bool apart = metric.kind == MetricKind::variation && has_variation;
+    (apart ? terms.apart : terms.together).push_back(term_of(metric));
+    has_variation |= metric.kind == MetricKind::variation;
   }
   return terms;
 }
@@ -66,11 +70,6 @@ void check_metrics(const Study& study, const DesignSpace& space) {
     } catch (const std::invalid_argument& error) {
       throw StudyError("metrics." + metric.name + ".faces", error.what());
     }
-  }
-  if (std::count_if(study.metrics.begin(), study.metrics.end(), [](const MetricSpec& metric) {
-        return metric.kind == MetricKind::variation;
-      }) > 1) {
-    throw StudyError("metrics", "can hold the variation once");
   }
 }
 

@@ -29,8 +29,13 @@ std::vector<std::string> cause_names(const Study& study, const DesignSpace& spac
 /// A metric that is a term of an objective as one, of weight 1.
 model::Term term_of(const MetricSpec& metric);
 
-/// The terms of an objective among the metrics, in their order, each with weight 1.
-std::vector<model::Term> metric_terms(const Study& study);
+/// The terms of an objective among the metrics, in their order, each with weight 1: those that one
+/// evaluator measures together, and by themselves the variations after the first, of which it can
+/// hold one.
+struct MetricTerms {
+  std::vector<model::Term> together, apart;
+};
+MetricTerms metric_terms(const Study& study);
 
 /// Checks that all metrics suit the models; scans are not read. Throws StudyError.
 void check_metrics(const Study& study, const DesignSpace& space);

@@ -22,7 +22,7 @@ struct Aim {
 struct ConstrainedSearch {
   std::vector<Aim> aims;
   int first_constraint = 0;
-  Algorithm algorithm = Algorithm::nlopt_slsqp;  ///< or nlopt-mma, nlopt-ccsaq
+  Algorithm algorithm = Algorithm::nlopt_ccsaq;  ///< or nlopt-mma, nlopt-slsqp
   int max_evaluations = 100;                     ///< of all functions together, with gradients
   /// Ends when a step improves the largest aim by less. The library is started again from the best
   /// point for as long as that gains a hundred times more.

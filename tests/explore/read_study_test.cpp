@@ -120,8 +120,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"RakeOfASide", with_metrics("rake = { face = \"side_window\" }"),
                 "no patch across the middle"},
         Refused{"ScanWithoutFile", with_metrics("scan = {}"), "metrics.scan.file: is missing"},
-        Refused{"TwoVariations", with_metrics("variation = {}\nmore = { kind = \"variation\" }"),
-                "can hold the variation once"},
         Refused{"NoSampler",
                 "format = 1\nname = \"x\"\n" + base + "\n[variables]\n" + shape +
                     "\n[metrics]\nbending = {}",
