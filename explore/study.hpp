@@ -64,6 +64,7 @@ struct MetricSpec {
   std::string scan;                ///< file, of the distance to a scan
   int points = 2000;               ///< of the scan that are used
   bool posed = false;              ///< the scan lies on the models as it is, in mm
+  std::string views;               ///< files of drawn outlines, as io/parse_views.hpp reads them
 };
 
 /// A metric that must lie in a range; a variant that breaks it is recorded as infeasible.

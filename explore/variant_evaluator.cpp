@@ -195,6 +195,8 @@ double VariantEvaluator::State::metric(std::size_t index, TermCount& count) cons
       return edges.gap_mm;
     case MetricKind::scan:
       return plan->scans[index]->measure(evaluator.nets());
+    case MetricKind::outline:
+      return plan->outlines[index]->measure(evaluator.nets());
     default:
       return nan;
   }

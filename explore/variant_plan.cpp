@@ -76,12 +76,15 @@ void check_metrics(const Study& study, const DesignSpace& space) {
 VariantPlan::VariantPlan(Study of)
     : study(std::move(of)), space(study), causes(cause_names(study, space)) {
   check_metrics(study, space);
+  const model::Model& model = study.models.front().model;
+  const model::BodyPlan& plan = space.context()->plan;
   for (const MetricSpec& metric : study.metrics) {
-    scans.push_back(metric.kind != MetricKind::scan
-                        ? nullptr
-                        : std::make_unique<ScanMeter>(study.folder / metric.scan, metric,
-                                                      study.models.front().model,
-                                                      space.context()->plan));
+    scans.push_back(nullptr);
+    outlines.push_back(nullptr);
+    if (metric.kind == MetricKind::scan)
+      scans.back() = std::make_unique<ScanMeter>(study.folder / metric.scan, metric, model, plan);
+    if (metric.kind == MetricKind::outline)
+      outlines.back() = std::make_unique<OutlineMeter>(study.folder, metric, model, plan);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "explore/design_space.hpp"
+#include "explore/outline_meter.hpp"
 #include "explore/scan_meter.hpp"
 #include "explore/study.hpp"
 
@@ -12,14 +13,15 @@ namespace bodyline::explore {
 
 /// What all threads that measure variants of a study share. Never changed after construction.
 struct VariantPlan {
-  /// Throws StudyError where something does not suit the models, and io::InputError for a scan that
-  /// cannot be read.
+  /// Throws StudyError where something does not suit the models, and io::InputError for a scan or
+  /// a drawing that cannot be read.
   explicit VariantPlan(Study of);
 
   Study study;
   DesignSpace space;
   std::vector<std::string> causes;                ///< names that a Cause counts
   std::vector<std::unique_ptr<ScanMeter>> scans;  ///< of each metric; null where it is no scan
+  std::vector<std::unique_ptr<OutlineMeter>> outlines;  ///< likewise
 };
 
 /// The names that causes of a study count: "" first, then faces of the closed body (patches,

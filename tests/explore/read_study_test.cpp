@@ -120,6 +120,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"RakeOfASide", with_metrics("rake = { face = \"side_window\" }"),
                 "no patch across the middle"},
         Refused{"ScanWithoutFile", with_metrics("scan = {}"), "metrics.scan.file: is missing"},
+        Refused{"OutlineWithoutViews", with_metrics("outline = {}"),
+                "metrics.outline.views: is missing"},
+        Refused{"OutlineOfNoView", with_metrics("outline = { views = \"left=a.svg\" }"),
+                "metrics.outline.views"},
+        Refused{"ViewsOfAScan", with_metrics("scan = { file = \"a.ply\", views = \"side=a.svg\" }"),
+                "metrics.scan.views: belongs to an outline only"},
         Refused{"NoSampler",
                 "format = 1\nname = \"x\"\n" + base + "\n[variables]\n" + shape +
                     "\n[metrics]\nbending = {}",
