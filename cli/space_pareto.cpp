@@ -73,14 +73,6 @@ std::vector<double> reference_of(const Request& request, const std::vector<doubl
   return reference;
 }
 
-// The goals of an optimizer, where none are given.
-void take_goals(const explore::StoreReader& store, Objectives& objectives) {
-  if (!objectives.minimize.empty() || !objectives.maximize.empty()) return;
-  if (!store.study().optimizer) return;
-  for (const explore::Goal& goal : store.study().optimizer->goals)
-    (goal.weight > 0.0 ? objectives.minimize : objectives.maximize).push_back(goal.metric);
-}
-
 void run(Context& context, Request& request, const std::string& path) {
   const explore::StoreReader store(path);
   take_goals(store, request.objectives);
@@ -116,6 +108,13 @@ void add_objectives(CLI::App& command, Objectives& objectives) {
   };
   add("--minimize", objectives.minimize, "Metrics or variables that should be small, by commas");
   add("--maximize", objectives.maximize, "Those that should be large");
+}
+
+void take_goals(const explore::StoreReader& store, Objectives& objectives) {
+  if (!objectives.minimize.empty() || !objectives.maximize.empty()) return;
+  if (!store.study().optimizer) return;
+  for (const explore::Goal& goal : store.study().optimizer->goals)
+    (goal.weight > 0.0 ? objectives.minimize : objectives.maximize).push_back(goal.metric);
 }
 
 std::vector<std::uint64_t> pareto_ids(const explore::StoreReader& store, VariantChoice choice,
