@@ -92,11 +92,15 @@ Json result_json(const Study& study, const RunProgress& run, const std::string& 
   Json best = nullptr;
   if (run.best)
     best = {{"metric", study.metrics.front().name}, {"value", *run.best}, {"id", run.best_row}};
-  return {{"store", path},          {"planned", run.planned},
-          {"done", run.done},       {"measured", run.measured},
-          {"seconds", run.seconds}, {"variants_per_second", rate_of(run)},
+  return {{"store", path},
+          {"planned", run.planned},
+          {"done", run.done},
+          {"measured", run.measured},
+          {"seconds", run.seconds},
+          {"variants_per_second", rate_of(run)},
           {"evaluations", run.evaluations},
-          {"by_status", by_status}, {"best", best}};
+          {"by_status", by_status},
+          {"best", best}};
 }
 
 std::string estimate_text(const explore::VariantPlan& plan, const explore::StudyEstimate& estimate,

@@ -60,8 +60,8 @@ struct Request {
 std::vector<double> reference_of(const Request& request, const std::vector<double>& values,
                                  std::size_t objectives) {
   if (!request.reference.empty() && request.reference.size() != objectives) {
-    throw std::invalid_argument(fmt::format("--reference needs {} numbers, one for each objective",
-                                            objectives));
+    throw std::invalid_argument(
+        fmt::format("--reference needs {} numbers, one for each objective", objectives));
   }
   std::vector<double> reference(objectives, -std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -90,9 +90,10 @@ void run(Context& context, Request& request, const std::string& path) {
                          {"variants", variants_json(store, ids)}});
   } else {
     *context.out << variants_text(store, ids)
-                 << fmt::format("{} variants that no other is better than, hypervolume {:.6g} to "
-                                "({:.6g})\n",
-                                ids.size(), volume, fmt::join(reference, ", "));
+                 << fmt::format(
+                        "{} variants that no other is better than, hypervolume {:.6g} to "
+                        "({:.6g})\n",
+                        ids.size(), volume, fmt::join(reference, ", "));
   }
 }
 
@@ -144,9 +145,10 @@ void add_space_pareto(CLI::App& space, Context& context, const StorePath& store)
                "bodyline space sweep.h5 pareto --minimize bending,height --maximize length");
   add_variant_choice(*command, request->choice);
   add_objectives(*command, request->objectives);
-  command->add_option("--reference", request->reference,
-                      "What the hypervolume is measured to: numbers in the order of the "
-                      "objectives, by commas; the worst of the front when left out")
+  command
+      ->add_option("--reference", request->reference,
+                   "What the hypervolume is measured to: numbers in the order of the "
+                   "objectives, by commas; the worst of the front when left out")
       ->type_name("X,Y")
       ->delimiter(',');
   command->add_flag("--json", request->json, "Print JSON");

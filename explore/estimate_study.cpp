@@ -35,9 +35,8 @@ double seconds_of_search(const std::shared_ptr<const VariantPlan>& plan, const V
   int evaluations = 0;
   for (std::size_t row = 0; row < std::size_t(rows.count); ++row) {
     const auto values = std::span(rows.values).subspan(row * columns, columns);
-    evaluations +=
-        optimize::search_constrained(functions, functions.space().point(values), search)
-            .evaluations;
+    evaluations += optimize::search_constrained(functions, functions.space().point(values), search)
+                       .evaluations;
   }
   return optimizer->evaluations * seconds_since(begin) / evaluations;
 }

@@ -19,7 +19,7 @@ class ObjectiveBatch {
 };
 
 struct EvolutionOptions {
-  int generations = 1;     ///< after the first population
+  int generations = 1;  ///< after the first population
   std::uint32_t seed = 1;
   std::vector<double> first;  ///< the first population: a row of coordinates each
   /// Called before every generation with its number, from 0 for the first population; false ends

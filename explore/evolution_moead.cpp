@@ -54,7 +54,8 @@ class Decomposition {
     neighbours_ = pagmo::kNN(weights_, std::min(most_neighbours, count - 1));
     ideal_.assign(m, std::numeric_limits<double>::infinity());
     for (const vector_double& values : values_) lower_ideal(values);
-    bounds_ = {vector_double(points_.front().size(), 0.0), vector_double(points_.front().size(), 1.0)};
+    bounds_ = {vector_double(points_.front().size(), 0.0),
+               vector_double(points_.front().size(), 1.0)};
   }
 
   // One child for every place, in random order.

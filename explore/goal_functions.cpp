@@ -21,7 +21,8 @@ double size_of(double bound) { return std::max(std::abs(bound), least_size); }
 // The metrics that goals and constraints name: goals first, one entry each.
 std::vector<int> named_metrics(const Study& study) {
   std::vector<int> metrics;
-  for (const Goal& goal : study.optimizer->goals) metrics.push_back(metric_index(study, goal.metric));
+  for (const Goal& goal : study.optimizer->goals)
+    metrics.push_back(metric_index(study, goal.metric));
   for (const Constraint& constraint : study.constraints)
     metrics.push_back(metric_index(study, constraint.metric));
   return metrics;
@@ -46,7 +47,7 @@ GoalFunctions::GoalFunctions(std::shared_ptr<const VariantPlan> plan, Goals goal
     const auto add = [&](double bound, double sign) {
       if (!std::isfinite(bound)) return;
       combination_(row, column) = sign / size_of(bound);
-      offset_[row] = margin - sign * bound / size_of(bound);
+      offset_[row] = (margin * std::abs(bound) - sign * bound) / size_of(bound);
       ++row;
     };
     add(constraint.most, 1.0);

@@ -47,8 +47,7 @@ void add_distances(const model::SilhouetteBody& body, const optimize::OutlineSam
                    std::vector<double>& distances) {
   model::SilhouetteOptions tracing;
   tracing.spacing = spacing;
-  const std::vector<model::SilhouetteCurve> pieces =
-      model::silhouette(body, outline.view, tracing);
+  const std::vector<model::SilhouetteCurve> pieces = model::silhouette(body, outline.view, tracing);
   for (const double distance :
        optimize::match_outline(body, pieces, outline, {reach, true, false}).distances)
     distances.push_back(std::abs(distance));
@@ -56,8 +55,7 @@ void add_distances(const model::SilhouetteBody& body, const optimize::OutlineSam
   for (const model::SilhouetteCurve& piece : pieces) {
     for (const model::SilhouettePoint& point : piece.points) {
       const optimize::OutlineFoot foot = tree.nearest(point.picture, point.normal);
-      if (!foot.beyond && !foot.two_sided)
-        distances.push_back((foot.point - point.picture).norm());
+      if (!foot.beyond && !foot.two_sided) distances.push_back((foot.point - point.picture).norm());
     }
   }
 }
@@ -75,8 +73,7 @@ double OutlineMeter::measure(const double* nets) const {
   std::vector<double> distances;
   // Waiting for its own tasks, a thread must not begin another variant with the same evaluator.
   tbb::this_task_arena::isolate([&] {
-    const model::SilhouetteBody body =
-        model::silhouette_body(*plan_, model::Stage::body, nets);
+    const model::SilhouetteBody body = model::silhouette_body(*plan_, model::Stage::body, nets);
     for (const optimize::OutlineSamples& outline : outlines_)
       add_distances(body, outline, distances);
   });

@@ -6,9 +6,8 @@
 namespace bodyline::explore {
 
 SearchSpace::SearchSpace(const DesignSpace& space) : space_(&space) {
-  weights_ = int(std::count_if(space.columns().begin(), space.columns().end(), [](const Column& c) {
-    return c.kind == ColumnKind::weight;
-  }));
+  weights_ = int(std::count_if(space.columns().begin(), space.columns().end(),
+                               [](const Column& c) { return c.kind == ColumnKind::weight; }));
 }
 
 void SearchSpace::values(const Eigen::VectorXd& point, std::span<double> values) const {
@@ -41,9 +40,8 @@ void SearchSpace::pullback(const Eigen::VectorXd& point, std::span<const double>
   const int skipped = weights_ > 0 ? 1 : 0;
   for (int k = weights_; k < space_->column_count(); ++k) {
     const Column& column = space_->columns()[k];
-    point_bar[k - skipped] = column.kind == ColumnKind::choice
-                                 ? 0.0
-                                 : (column.upper - column.lower) * values_bar[k];
+    point_bar[k - skipped] =
+        column.kind == ColumnKind::choice ? 0.0 : (column.upper - column.lower) * values_bar[k];
   }
 }
 

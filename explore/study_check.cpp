@@ -26,12 +26,14 @@ void check_optimizer(const Study& study) {
   const OptimizerSpec& optimizer = *study.optimizer;
   if (!uses_gradients(optimizer.kind)) return;
   for (const Goal& goal : optimizer.goals)
-    check_gradient(study, goal.metric, goal.weight > 0.0 ? "optimizer.minimize" : "optimizer.maximize");
+    check_gradient(study, goal.metric,
+                   goal.weight > 0.0 ? "optimizer.minimize" : "optimizer.maximize");
   for (const Constraint& constraint : study.constraints)
     check_gradient(study, constraint.metric, "constraints." + constraint.metric);
   if (optimizer.kind == OptimizerKind::front && study.base == BaseKind::choice)
-    throw StudyError("choice", "jumps from car to car, and a front by gradients needs variables "
-                               "that change gradually; \"blend\" does, and nsga2 takes a choice");
+    throw StudyError("choice",
+                     "jumps from car to car, and a front by gradients needs variables "
+                     "that change gradually; \"blend\" does, and nsga2 takes a choice");
   if (optimizer.kind != OptimizerKind::local) return;
   const std::string name = optimize::algorithm_name(optimizer.algorithm);
   if (!study.constraints.empty() && !optimize::keeps_constraints(optimizer.algorithm)) {
@@ -40,7 +42,8 @@ void check_optimizer(const Study& study) {
                                                 "nlopt-mma and nlopt-ccsaq do");
   }
   if (optimizer.algorithm == optimize::Algorithm::ceres_lm)
-    throw StudyError("optimizer.algorithm", "is " + name + ", which needs residuals; a study's metrics have none");
+    throw StudyError("optimizer.algorithm",
+                     "is " + name + ", which needs residuals; a study's metrics have none");
 }
 
 }  // namespace

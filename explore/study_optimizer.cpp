@@ -54,7 +54,8 @@ void read_goals(const FileTable& table, const Study& study, OptimizerSpec& optim
     if (!table.has(key)) continue;
     for (const std::string& metric : table.texts(key, {1, most_objectives})) {
       io::index_of(study.metrics, metric, table, key, "metric");
-      if (!named.insert(metric).second) table.fail(key, "names " + io::in_quotes(metric) + " twice.");
+      if (!named.insert(metric).second)
+        table.fail(key, "names " + io::in_quotes(metric) + " twice.");
       optimizer.goals.push_back({metric, std::string(key) == "minimize" ? 1.0 : -1.0});
     }
   }
@@ -122,8 +123,8 @@ void read_optimizer(const FileTable& table, Study& study) {
   optimizer.generations = int(whole("generations", 1, most_generations, 0));
   optimizer.points = int(whole("points", 3, most_points, 0));
   const bool local = optimizer.kind == OptimizerKind::local;
-  optimizer.evaluations = int(
-      whole("evaluations", 2, most_evaluations, local ? local_evaluations : front_evaluations));
+  optimizer.evaluations =
+      int(whole("evaluations", 2, most_evaluations, local ? local_evaluations : front_evaluations));
   optimizer.algorithm = algorithm_of(table, study);
   if (optimizer.kind == OptimizerKind::nsga2 && optimizer.population % 4 != 0)
     table.fail("population", "must be a multiple of 4 for nsga2.");
@@ -136,9 +137,11 @@ void read_optimizer(const FileTable& table, Study& study) {
 void read_choice_of_variants(const FileTable& root, Study& study) {
   const auto sampler = root.find_table("sampler"), optimizer = root.find_table("optimizer");
   if (sampler && optimizer)
-    root.fail("optimizer", "and \"sampler\" exclude each other; starts of an optimizer are its own.");
+    root.fail("optimizer",
+              "and \"sampler\" exclude each other; starts of an optimizer are its own.");
   if (!sampler && !optimizer)
-    root.fail("sampler", "is missing, and \"optimizer\" too; one says which variants are measured.");
+    root.fail("sampler",
+              "is missing, and \"optimizer\" too; one says which variants are measured.");
   if (sampler) study.sampler = read_sampler(*sampler);
   if (optimizer) read_optimizer(*optimizer, study);
 }

@@ -89,7 +89,8 @@ std::string views_of(const FileTable& table) {
 }
 
 MetricSpec read_metric(const std::string& name, const FileTable& table) {
-  table.allow_only({"kind", "stage", "faces", "face", "file", "points", "posed", "views"}, "a metric");
+  table.allow_only({"kind", "stage", "faces", "face", "file", "points", "posed", "views"},
+                   "a metric");
   MetricSpec metric;
   metric.name = name;
   metric.kind = kind_of(table, name);

@@ -7,9 +7,9 @@
 namespace bodyline::explore {
 namespace {
 
-constexpr double wide_gap = 0.5;      // of the widest: bisected in one round
-constexpr double even = 1.5;          // ratio of widths of gaps that are about the same
-constexpr double least_part = 0.02;   // of a gap, that a point must part from it
+constexpr double wide_gap = 0.5;     // of the widest: bisected in one round
+constexpr double even = 1.5;         // ratio of widths of gaps that are about the same
+constexpr double least_part = 0.02;  // of a gap, that a point must part from it
 
 class Tracer {
  public:

@@ -30,8 +30,8 @@ using FindPoints = std::function<std::vector<FrontPoint>(const std::vector<Front
 /// two make one objective each as small as it gets, from `start`. Every further round bisects the
 /// widest gaps between neighbours, in units of the ends' difference: it aims from the middle of the
 /// chord to both objectives, in units of the gap (the scalarization of Pascoletti and Serafini),
-/// starting from between the neighbours. A gap that a point does not part is left alone: there the front is broken.
-/// What is asked for depends only on the points found before.
+/// starting from between the neighbours. A gap that a point does not part is left alone: there the
+/// front is broken. What is asked for depends only on the points found before.
 std::vector<FrontPoint> trace_front(const Eigen::VectorXd& start, int points,
                                     const FindPoints& find);
 

@@ -21,8 +21,9 @@ class VariantSource {
   virtual void values(std::uint64_t first, int count, std::span<double> rows) const = 0;
 };
 
-/// What the study's sampler says; with an optimizer, where it starts. `space` must outlive it. Throws std::invalid_argument where the
-/// sampler does not suit the space, and io::InputError for a list that cannot be read.
+/// What the study's sampler says; with an optimizer, where it starts. `space` must outlive it.
+/// Throws std::invalid_argument where the sampler does not suit the space, and io::InputError for a
+/// list that cannot be read.
 std::unique_ptr<VariantSource> make_source(const Study& study, const DesignSpace& space);
 
 }  // namespace bodyline::explore

@@ -12,10 +12,10 @@
 namespace bodyline::optimize {
 namespace {
 
-constexpr double bowl_rise = 10.0;          // of a function to a point without value, in its units
-constexpr double aim_tolerance = 1e-9;      // by which an aim may exceed the bound on all
-constexpr double smallest_step = 1e-9;      // in the cube
-constexpr double worthwhile = 100.0;        // gain of a call of NLopt, in tolerances, for another
+constexpr double bowl_rise = 10.0;      // of a function to a point without value, in its units
+constexpr double aim_tolerance = 1e-9;  // by which an aim may exceed the bound on all
+constexpr double smallest_step = 1e-9;  // in the cube
+constexpr double worthwhile = 100.0;    // gain of a call of NLopt, in tolerances, for another
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Optimizer = std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)>;

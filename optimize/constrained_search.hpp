@@ -27,14 +27,14 @@ struct ConstrainedSearch {
   /// Ends when a step improves the largest aim by less. The library is started again from the best
   /// point for as long as that gains a hundred times more.
   double tolerance = 1e-4;
-  std::function<bool()> should_stop;   ///< polled at every evaluation; may be empty
+  std::function<bool()> should_stop;  ///< polled at every evaluation; may be empty
 };
 
 struct ConstrainedResult {
-  Eigen::VectorXd x;        ///< the best evaluated: never worse than the start
-  Eigen::VectorXd values;   ///< of all functions there; empty when the start has none
-  double largest = 0.0;     ///< aim
-  double violation = 0.0;   ///< sum of what the constraints are above 0
+  Eigen::VectorXd x;       ///< the best evaluated: never worse than the start
+  Eigen::VectorXd values;  ///< of all functions there; empty when the start has none
+  double largest = 0.0;    ///< aim
+  double violation = 0.0;  ///< sum of what the constraints are above 0
   int evaluations = 0;
 };
 

@@ -172,8 +172,9 @@ TEST_F(Explore, AFrontIsListedByTheGoalsOfItsStudy) {
     height = std::min(height, variant["metrics"]["height"].get<double>());
   }
   EXPECT_EQ(goals["reference"], Json({bending, height}));
-  const Json further = json({"space", "f.h5", "pareto", "--reference",
-                             std::to_string(bending + 1.0) + "," + std::to_string(height - 1.0), "--json"});
+  const Json further =
+      json({"space", "f.h5", "pareto", "--reference",
+            std::to_string(bending + 1.0) + "," + std::to_string(height - 1.0), "--json"});
   EXPECT_GT(further["hypervolume"], goals["hypervolume"]);
   EXPECT_EQ(bodyline({"space", "f.h5", "pareto", "--reference", "1"}).exit_code, 2);
   EXPECT_EQ(bodyline({"space", "f.h5", "plot", "height", "bending", "-o", "f.svg"}).exit_code, 0);

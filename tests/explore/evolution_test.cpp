@@ -37,8 +37,8 @@ class Zdt1 : public explore::ObjectiveBatch {
 };
 
 constexpr int population = 100, generations = 500;
-// Mean height above the true front after 50,000 evaluations, of a front that is 1 high; random points
-// are 4 above it.
+// Mean height above the true front after 50,000 evaluations, of a front that is 1 high; random
+// points are 4 above it.
 constexpr double height_bound = 0.02;
 // Of the front to (1.1, 1.1): 1.21 - 1/3. A hundred points fall short of it by some 0.005.
 constexpr double true_volume = 1.21 - 1.0 / 3.0, volume_bound = 0.02;

@@ -46,8 +46,8 @@ slope = { kind = "rake", face = "windshield" }
 constexpr int metrics = 12;
 
 std::shared_ptr<const VariantPlan> plan_of(const std::string& base) {
-  return std::make_shared<VariantPlan>(study_of(study_text(
-      base, all_ranges, all_metrics, "kind = \"star\"", "[checks]\nfolds = false")));
+  return std::make_shared<VariantPlan>(study_of(
+      study_text(base, all_ranges, all_metrics, "kind = \"star\"", "[checks]\nfolds = false")));
 }
 
 std::vector<int> all_indices() {
@@ -124,9 +124,9 @@ TEST_P(Slopes, RoundingIsThatOfTheStore) {
 INSTANTIATE_TEST_SUITE_P(Each, Slopes, ::testing::Values(model1, blend));
 
 TEST(MetricSlopes, RefusesABodyThatCannotBeBuilt) {
-  const auto plan = std::make_shared<VariantPlan>(study_of(
-      study_text(model1, "fullness = { vary = [\"fullness.hood*\"], range = [1.0, 3.5] }",
-                 "bending = {}", "kind = \"star\"")));
+  const auto plan = std::make_shared<VariantPlan>(
+      study_of(study_text(model1, "fullness = { vary = [\"fullness.hood*\"], range = [1.0, 3.5] }",
+                          "bending = {}", "kind = \"star\"")));
   MetricSlopes slopes(plan, {0});
   Eigen::VectorXd values;
   Eigen::MatrixXd jacobian;

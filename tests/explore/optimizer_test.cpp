@@ -111,8 +111,8 @@ TEST_P(Optimizer, GoesOnFromAnyRowToTheSameEnd) {
     if (begun >= whole.count) continue;
     const auto path = folder / (std::to_string(begun) + ".h5");
     {
-      explore::StoreWriter store = explore::StoreWriter::create(
-          path, study, plan->space, explore::planned_rows(plan), false);
+      explore::StoreWriter store = explore::StoreWriter::create(path, study, plan->space,
+                                                                explore::planned_rows(plan), false);
       explore::VariantRows rows = explore::make_rows(store.layout(), 0, begun);
       explore::copy_rows(store.layout(), whole, 0, rows, 0, begun);
       store.append(rows);
@@ -126,11 +126,11 @@ TEST_P(Optimizer, GoesOnFromAnyRowToTheSameEnd) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, Optimizer,
-    ::testing::Values(
-        Kind{"nsga2", nsga2 + "population = 12\ngenerations = 5"},
-        Kind{"moead", moead + "population = 12\ngenerations = 5"},
-        Kind{"front", front + "points = 20"},
-        Kind{"local", local + "starts = { kind = \"sobol\", count = 20 }\nevaluations = 20"}),
+    ::testing::Values(Kind{"nsga2", nsga2 + "population = 12\ngenerations = 5"},
+                      Kind{"moead", moead + "population = 12\ngenerations = 5"},
+                      Kind{"front", front + "points = 20"},
+                      Kind{"local",
+                           local + "starts = { kind = \"sobol\", count = 20 }\nevaluations = 20"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(RunOptimizer, RefusesAStoreWithOtherVariants) {
@@ -171,13 +171,13 @@ TEST(RunOptimizer, TheFrontDominatesNsga2AtATenthOfItsEvaluations) {
   run(folder / "nsga2.h5",
       study_of(text_of(nsga2 + "population = 100\ngenerations = 149", unfolded, many)),
       on_threads(2));
-  const RunProgress progress =
-      run(folder / "front.h5", study_of(text_of(front + "points = 70\nevaluations = 20", unfolded, many)),
-          on_threads(2));
+  const RunProgress progress = run(
+      folder / "front.h5",
+      study_of(text_of(front + "points = 70\nevaluations = 20", unfolded, many)), on_threads(2));
   const explore::VariantRows all = all_rows(folder / "nsga2.h5");
-  const std::vector<double> evolved = goals_of(all), traced = goals_of(all_rows(folder / "front.h5"));
-  EXPECT_LE(progress.evaluations + progress.measured,
-            std::uint64_t(all.count / 10));
+  const std::vector<double> evolved = goals_of(all),
+                            traced = goals_of(all_rows(folder / "front.h5"));
+  EXPECT_LE(progress.evaluations + progress.measured, std::uint64_t(all.count / 10));
   const std::vector<std::size_t> list = explore::pareto_set(evolved, 2);
   int better = 0, worse = 0;
   for (const std::size_t k : list) {
@@ -203,11 +203,11 @@ TEST(RunOptimizer, TheFrontDominatesNsga2AtATenthOfItsEvaluations) {
 TEST(RunOptimizer, RecordsVariantsThatFailAndGoesAroundThem) {
   const Folder folder;
   for (const std::string& kind : {nsga2, moead}) {
-    const Study study = study_of(text_of(
-        kind + "population = 32\ngenerations = 8",
-        "[constraints]\nheight = { most = 1215 }\n" + unfolded,
-        "fullness = { vary = [\"fullness.hood*\"], range = [1.0, 3.2] }\n"
-        "roof = { vary = [\"curve.roof__side_window[1-4].z\"], offset = [-20, 20] }"));
+    const Study study = study_of(
+        text_of(kind + "population = 32\ngenerations = 8",
+                "[constraints]\nheight = { most = 1215 }\n" + unfolded,
+                "fullness = { vary = [\"fullness.hood*\"], range = [1.0, 3.2] }\n"
+                "roof = { vary = [\"curve.roof__side_window[1-4].z\"], offset = [-20, 20] }"));
     const auto path = folder / (kind.substr(8, 5) + ".h5");
     const RunProgress progress = run(path, study, on_threads(2));
     EXPECT_EQ(progress.done, 32u * 9u);
@@ -225,11 +225,12 @@ TEST(RunOptimizer, RecordsVariantsThatFailAndGoesAroundThem) {
 
 TEST(RunOptimizer, AFrontKeepsConstraints) {
   const Folder folder;
-  const Study study =
-      study_of(text_of(front + "points = 12", "[constraints]\nheight = { most = 1205 }\n" + unfolded));
+  const Study study = study_of(
+      text_of(front + "points = 12", "[constraints]\nheight = { most = 1205 }\n" + unfolded));
   run(folder / "free.h5", study_of(text_of(front + "points = 12")), on_threads(2));
   run(folder / "kept.h5", study, on_threads(2));
-  const explore::VariantRows kept = all_rows(folder / "kept.h5"), free = all_rows(folder / "free.h5");
+  const explore::VariantRows kept = all_rows(folder / "kept.h5"),
+                             free = all_rows(folder / "free.h5");
   int above = 0;
   for (int row = 0; row < free.count; ++row) above += free.metrics[std::size_t(3 * row + 2)] > 1205;
   EXPECT_GT(above, 0);
@@ -238,9 +239,9 @@ TEST(RunOptimizer, AFrontKeepsConstraints) {
 
 TEST(TunedSource, IsNeverWorseThanItsStart) {
   for (const std::string constraint : {"", "[constraints]\nheight = { most = 1205 }\n"}) {
-    const Study study = study_of(text_of(
-        local + "starts = { kind = \"random\", count = 12 }\nevaluations = 15",
-        constraint + unfolded));
+    const Study study =
+        study_of(text_of(local + "starts = { kind = \"random\", count = 12 }\nevaluations = 15",
+                         constraint + unfolded));
     const auto plan = std::make_shared<VariantPlan>(study);
     const auto starts = explore::make_source(plan->study, plan->space);
     const auto tuned = explore::tuned_source(plan);
@@ -272,9 +273,9 @@ TEST(TunedSource, IsNeverWorseThanItsStart) {
 
 TEST(TunedSource, WeighsItsGoals) {
   const auto bending_of = [](const std::string& weights) {
-    const auto plan = std::make_shared<VariantPlan>(study_of(text_of(
-        "kind = \"local\"\nminimize = [\"bending\"]\nmaximize = [\"height\"]\nweights = " + weights +
-        "\nstarts = { kind = \"random\", count = 1 }\nevaluations = 60")));
+    const auto plan = std::make_shared<VariantPlan>(study_of(
+        text_of("kind = \"local\"\nminimize = [\"bending\"]\nmaximize = [\"height\"]\nweights = " +
+                weights + "\nstarts = { kind = \"random\", count = 1 }\nevaluations = 60")));
     std::vector<double> row(std::size_t(plan->space.column_count())), metrics(3);
     explore::tuned_source(plan)->values(0, 1, row);
     explore::VariantEvaluator(plan).measure(row, metrics);
@@ -313,12 +314,14 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"UnknownGoal", text_of("kind = \"nsga2\"\nminimize = [\"bendin\"]\n" + some),
                 "there is no metric of this name"},
         Refused{"GoalTwice",
-                text_of("kind = \"nsga2\"\nminimize = [\"bending\"]\nmaximize = [\"bending\"]\n" + some),
+                text_of("kind = \"nsga2\"\nminimize = [\"bending\"]\nmaximize = [\"bending\"]\n" +
+                        some),
                 "optimizer.maximize: names \"bending\" twice"},
         Refused{"OneGoal", text_of("kind = \"nsga2\"\nminimize = [\"bending\"]\n" + some),
                 "a front needs two or more"},
         Refused{"ThreeGoals",
-                text_of("kind = \"front\"\nminimize = [\"bending\", \"closeness\", \"height\"]\npoints = 9"),
+                text_of("kind = \"front\"\nminimize = [\"bending\", \"closeness\", "
+                        "\"height\"]\npoints = 9"),
                 "name 3 metrics; a front by gradients is one of two"},
         Refused{"NoPopulation", text_of(nsga2 + "generations = 2"),
                 "optimizer.population: is missing; the optimizer nsga2 needs it."},
@@ -334,11 +337,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "must all be above 0"},
         Refused{"UnknownAlgorithm", text_of(local + starts + "\nalgorithm = \"newton\""),
                 "the algorithms are nlopt-lbfgs"},
-        Refused{"NoGradient",
-                text_of("kind = \"front\"\nminimize = [\"bending\", \"volume\"]\npoints = 9", "", few,
-                        "bending = {}\nvolume = {}"),
-                "has no gradient, which the optimizer front needs; those that have one are bending, "
-                "variation, area, fold, closeness, length"},
+        Refused{
+            "NoGradient",
+            text_of("kind = \"front\"\nminimize = [\"bending\", \"volume\"]\npoints = 9", "", few,
+                    "bending = {}\nvolume = {}"),
+            "has no gradient, which the optimizer front needs; those that have one are bending, "
+            "variation, area, fold, closeness, length"},
         Refused{"NoGradientOfAConstraint",
                 text_of(local + starts, "[constraints]\nvolume = { most = 9 }", few,
                         "bending = {}\nvolume = {}"),
@@ -351,7 +355,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "needs residuals"},
         Refused{"Choice",
                 "format = 1\nname = \"x\"\nchoice = [\"model1.toml\", \"model2.toml\"]\n[metrics]\n"
-                "bending = {}\ncloseness = {}\n[optimizer]\n" + front + "points = 9",
+                "bending = {}\ncloseness = {}\n[optimizer]\n" +
+                    front + "points = 9",
                 "choice: jumps from car to car"}),
     [](const auto& test) { return test.param.name; });
 

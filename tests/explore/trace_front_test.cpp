@@ -99,10 +99,10 @@ std::vector<double> gaps_of(std::vector<FrontPoint> front) {
             [](const FrontPoint& a, const FrontPoint& b) { return a.values < b.values; });
   std::vector<double> gaps;
   for (std::size_t k = 0; k + 1 < front.size(); ++k) {
-    gaps.push_back(std::hypot(
-        (front[k + 1].values[0] - front[k].values[0]) / (front.back().values[0] - front[0].values[0]),
-        (front[k + 1].values[1] - front[k].values[1]) /
-            (front.back().values[1] - front[0].values[1])));
+    gaps.push_back(std::hypot((front[k + 1].values[0] - front[k].values[0]) /
+                                  (front.back().values[0] - front[0].values[0]),
+                              (front[k + 1].values[1] - front[k].values[1]) /
+                                  (front.back().values[1] - front[0].values[1])));
   }
   return gaps;
 }
@@ -128,8 +128,7 @@ TEST(TraceFront, LiesOnAFrontThatBendsOutwards) {
   for (const FrontPoint& point : front) {
     // Both are 1 - exp(-s^2): the roots s add up to the distance of the bells' places.
     double sum = 0.0;
-    for (const double value : point.values)
-      sum += std::sqrt(std::max(0.0, -std::log(1.0 - value)));
+    for (const double value : point.values) sum += std::sqrt(std::max(0.0, -std::log(1.0 - value)));
     EXPECT_NEAR(sum, 2.0, 1e-2);
   }
 }
@@ -169,12 +168,11 @@ TEST(TraceFront, EndsWhenThereAreFewerPointsThanAskedFor) {
 
 TEST(TraceFront, EndsWhereObjectivesDoNotDisagree) {
   int rounds = 0;
-  explore::trace_front(Eigen::Vector2d(0.5, 0.5), points,
-                       [&](const std::vector<explore::FrontTask>& tasks) {
-                         ++rounds;
-                         return std::vector<FrontPoint>(tasks.size(),
-                                                        FrontPoint{tasks[0].start, {1, 2}, true});
-                       });
+  explore::trace_front(
+      Eigen::Vector2d(0.5, 0.5), points, [&](const std::vector<explore::FrontTask>& tasks) {
+        ++rounds;
+        return std::vector<FrontPoint>(tasks.size(), FrontPoint{tasks[0].start, {1, 2}, true});
+      });
   EXPECT_EQ(rounds, 1);
 }
 

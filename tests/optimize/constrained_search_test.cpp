@@ -113,8 +113,7 @@ TEST_P(ConstrainedAlgorithm, StopsWhenAsked) {
 TEST_P(ConstrainedAlgorithm, PassesOnWhatTheFunctionsThrow) {
   TwoBowls bowls;
   bowls.thrown_at = 4;
-  EXPECT_THROW(search_constrained(bowls, start, search_for({{0}}, GetParam())),
-               std::runtime_error);
+  EXPECT_THROW(search_constrained(bowls, start, search_for({{0}}, GetParam())), std::runtime_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ConstrainedAlgorithm,
