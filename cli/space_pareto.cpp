@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/print_json.hpp"
@@ -15,6 +16,8 @@
 
 namespace bodyline::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // The columns of objectives, and 1 where they should be small, -1 where large.
 struct SignedColumns {
@@ -73,6 +76,13 @@ std::vector<double> reference_of(const Request& request, const std::vector<doubl
   return reference;
 }
 
+// Of more than three objectives it takes very long for many points, and must be asked for.
+std::optional<double> volume_to(const std::vector<double>& reference,
+                                const std::vector<double>& values, const Request& request) {
+  if (values.empty() || (reference.size() > 3 && request.reference.empty())) return std::nullopt;
+  return explore::hypervolume(values, reference);
+}
+
 void run(Context& context, Request& request, const std::string& path) {
   const explore::StoreReader store(path);
   take_goals(store, request.objectives);
@@ -81,20 +91,22 @@ void run(Context& context, Request& request, const std::string& path) {
   const std::size_t least = request.objectives.minimize.size(),
                     count = least + request.objectives.maximize.size();
   std::vector<double> reference = reference_of(request, values, count);
-  const double volume = explore::hypervolume(values, reference);
+  const std::optional<double> volume = volume_to(reference, values, request);
   for (std::size_t k = least; k < count; ++k) reference[k] = -reference[k];
   if (request.json) {
-    print_json(context, {{"store", path},
-                         {"hypervolume", volume},
-                         {"reference", reference},
-                         {"variants", variants_json(store, ids)}});
-  } else {
-    *context.out << variants_text(store, ids)
-                 << fmt::format(
-                        "{} variants that no other is better than, hypervolume {:.6g} to "
-                        "({:.6g})\n",
-                        ids.size(), volume, fmt::join(reference, ", "));
+    Json json{{"store", path}, {"hypervolume", nullptr}};
+    if (volume) json["hypervolume"] = *volume;
+    json["reference"] = reference;
+    json["variants"] = variants_json(store, ids);
+    print_json(context, json);
+    return;
   }
+  *context.out << variants_text(store, ids)
+               << fmt::format("{} variants that no other is better than", ids.size());
+  if (volume)
+    *context.out << fmt::format(", hypervolume {:.6g} to ({:.6g})", *volume,
+                                fmt::join(reference, ", "));
+  *context.out << "\n";
 }
 
 }  // namespace

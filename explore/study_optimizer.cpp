@@ -11,7 +11,7 @@ namespace {
 
 using io::FileTable;
 
-constexpr std::int64_t largest_population = 100'000, most_generations = 1'000'000;
+constexpr std::int64_t largest_population = 5000, most_generations = 1'000'000;
 constexpr std::int64_t most_points = 100'000, most_evaluations = 1'000'000;
 constexpr std::int64_t least_population = 8;
 constexpr std::size_t most_objectives = 20;

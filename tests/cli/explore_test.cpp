@@ -26,6 +26,13 @@ class Explore : public testing::CommandLine {
            "[metrics]\nbending = {}\nheight = {}\n[checks]\nfolds = false\n[sampler]\n" +
            sampler + "\n" + rest;
   }
+  // The same with an optimizer that makes bending small.
+  static std::string optimizer_study(const std::string& optimizer) {
+    std::string text = study("kind = \"star\"");
+    text.replace(text.find("[sampler]"), std::string("[sampler]\nkind = \"star\"").size(),
+                 "[optimizer]\nminimize = [\"bending\"]\n" + optimizer);
+    return text;
+  }
   void explore() { ASSERT_EQ(bodyline({"explore", "study.toml", "-o", "a.h5"}).exit_code, 0); }
 };
 
@@ -147,13 +154,6 @@ TEST_F(Explore, TheParetoSetIsNotDominated) {
                    other["metrics"]["height"] > one["metrics"]["height"]);
     }
   }
-}
-
-std::string optimizer_study(const std::string& optimizer) {
-  std::string text = study("kind = \"star\"");
-  text.replace(text.find("[sampler]"), std::string("[sampler]\nkind = \"star\"").size(),
-               "[optimizer]\nminimize = [\"bending\"]\n" + optimizer);
-  return text;
 }
 
 TEST_F(Explore, AFrontIsListedByTheGoalsOfItsStudy) {

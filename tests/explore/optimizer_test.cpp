@@ -10,6 +10,7 @@
 #include "explore/hypervolume.hpp"
 #include "explore/pareto.hpp"
 #include "explore/tuned_source.hpp"
+#include "optimizer_support.hpp"
 #include "store_support.hpp"
 #include "study_support.hpp"
 
@@ -21,24 +22,6 @@ using explore::RunProgress;
 using explore::Study;
 using explore::VariantPlan;
 using explore::VariantStatus;
-
-const std::string few = R"(
-shape = { vary = ["shape.hood.*", "shape.roof.*"], offset = [-0.1, 0.1] }
-fullness = { vary = ["fullness.hood*"], range = [1.0, 2.0] }
-roof = { vary = ["curve.roof__side_window[1-4].z"], offset = [-20, 20] }
-)";
-const std::string unfolded = "[checks]\nfolds = false\n[keep]\nblock = 16\n";
-const std::string nsga2 = "kind = \"nsga2\"\nminimize = [\"bending\", \"closeness\"]\n";
-const std::string moead = "kind = \"moead\"\nminimize = [\"bending\", \"closeness\"]\n";
-const std::string front = "kind = \"front\"\nminimize = [\"bending\", \"closeness\"]\n";
-const std::string local = "kind = \"local\"\nminimize = [\"bending\"]\n";
-
-std::string text_of(const std::string& optimizer, const std::string& rest = unfolded,
-                    const std::string& variables = few,
-                    const std::string& metrics = "bending = {}\ncloseness = {}\nheight = {}") {
-  return "format = 1\nname = \"test\"\nmodel = \"model1.toml\"\n[variables]\n" + variables +
-         "\n[metrics]\n" + metrics + "\n[optimizer]\n" + optimizer + "\n" + rest;
-}
 
 RunProgress run(const std::filesystem::path& path, const Study& study, const RunOptions& options,
                 bool resume = false) {
@@ -285,80 +268,6 @@ TEST(TunedSource, WeighsItsGoals) {
   EXPECT_LT(fair[0], high[0]);
   EXPECT_LT(fair[2], high[2]);
 }
-
-struct Refused {
-  const char* name;
-  std::string text;
-  const char* sentence;
-};
-void PrintTo(const Refused& refused, std::ostream* stream) { *stream << refused.name; }
-
-class RefusedOptimizer : public ::testing::TestWithParam<Refused> {};
-
-TEST_P(RefusedOptimizer, SaysWhere) {
-  EXPECT_THAT(refusal(GetParam().text), ::testing::HasSubstr(GetParam().sentence));
-}
-
-const std::string some = "population = 12\ngenerations = 2";
-const std::string starts = "starts = { kind = \"sobol\", count = 2 }";
-
-INSTANTIATE_TEST_SUITE_P(
-    Each, RefusedOptimizer,
-    ::testing::Values(
-        Refused{"SamplerToo", text_of(nsga2 + some, "[sampler]\nkind = \"star\""),
-                "optimizer: and \"sampler\" exclude each other"},
-        Refused{"UnknownKind", text_of("kind = \"nsga3\""),
-                "\"nsga3\" is not an optimizer; the optimizers are local, nsga2, moead, front."},
-        Refused{"NoGoal", text_of("kind = \"nsga2\"\n" + some),
-                "optimizer.minimize: is missing, and \"maximize\" too"},
-        Refused{"UnknownGoal", text_of("kind = \"nsga2\"\nminimize = [\"bendin\"]\n" + some),
-                "there is no metric of this name"},
-        Refused{"GoalTwice",
-                text_of("kind = \"nsga2\"\nminimize = [\"bending\"]\nmaximize = [\"bending\"]\n" +
-                        some),
-                "optimizer.maximize: names \"bending\" twice"},
-        Refused{"OneGoal", text_of("kind = \"nsga2\"\nminimize = [\"bending\"]\n" + some),
-                "a front needs two or more"},
-        Refused{"ThreeGoals",
-                text_of("kind = \"front\"\nminimize = [\"bending\", \"closeness\", "
-                        "\"height\"]\npoints = 9"),
-                "name 3 metrics; a front by gradients is one of two"},
-        Refused{"NoPopulation", text_of(nsga2 + "generations = 2"),
-                "optimizer.population: is missing; the optimizer nsga2 needs it."},
-        Refused{"ForeignKey", text_of(front + "points = 9\npopulation = 12"),
-                "optimizer.population: is nothing that the optimizer front has."},
-        Refused{"OddPopulation", text_of(nsga2 + "population = 10\ngenerations = 2"),
-                "must be a multiple of 4 for nsga2"},
-        Refused{"UnknownKey", text_of(nsga2 + some + "\nsize = 3"), "optimizer.size: unknown key"},
-        Refused{"BadStarts", text_of(local + "starts = { kind = \"sobol\" }"),
-                "optimizer.starts.count: is missing; the sampler sobol needs it."},
-        Refused{"Weights", text_of(local + starts + "\nweights = [1, 2]"), "optimizer.weights"},
-        Refused{"NegativeWeight", text_of(local + starts + "\nweights = [-1]"),
-                "must all be above 0"},
-        Refused{"UnknownAlgorithm", text_of(local + starts + "\nalgorithm = \"newton\""),
-                "the algorithms are nlopt-lbfgs"},
-        Refused{
-            "NoGradient",
-            text_of("kind = \"front\"\nminimize = [\"bending\", \"volume\"]\npoints = 9", "", few,
-                    "bending = {}\nvolume = {}"),
-            "has no gradient, which the optimizer front needs; those that have one are bending, "
-            "variation, area, fold, closeness, length"},
-        Refused{"NoGradientOfAConstraint",
-                text_of(local + starts, "[constraints]\nvolume = { most = 9 }", few,
-                        "bending = {}\nvolume = {}"),
-                "constraints.volume: names \"volume\""},
-        Refused{"AlgorithmWithoutConstraints",
-                text_of(local + starts + "\nalgorithm = \"nlopt-lbfgs\"",
-                        "[constraints]\nheight = { most = 1300 }"),
-                "is nlopt-lbfgs, which keeps no constraints"},
-        Refused{"Residuals", text_of(local + starts + "\nalgorithm = \"ceres-lm\""),
-                "needs residuals"},
-        Refused{"Choice",
-                "format = 1\nname = \"x\"\nchoice = [\"model1.toml\", \"model2.toml\"]\n[metrics]\n"
-                "bending = {}\ncloseness = {}\n[optimizer]\n" +
-                    front + "points = 9",
-                "choice: jumps from car to car"}),
-    [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace bodyline::testing
