@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 
+#include "cli/chain_command.hpp"
 #include "cli/check_command.hpp"
 #include "cli/convert_command.hpp"
 #include "cli/deviation_command.hpp"
@@ -35,6 +36,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_export_command(program, context);
   add_convert_command(program, context);
   add_scan_command(program, context);
+  add_chain_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {

@@ -116,6 +116,10 @@ const toml::array& FileTable::array(const toml::node& node, const std::string& p
   return values;
 }
 
+double FileTable::number(std::string_view name, double largest) const {
+  return number(required(name), key(name), 1.0, largest);
+}
+
 double FileTable::number(const toml::node& node, const std::string& path, double scale,
                          double largest) const {
   if (!node.is_number()) file_->fail(path, must_be("a number", node));

@@ -45,6 +45,8 @@ class FileTable {
   std::string text_or(std::string_view name, const std::string& otherwise) const;
   bool flag_or(std::string_view name, bool otherwise) const;
   int integer(std::string_view name) const;
+  /// A finite number of at most `largest` in size.
+  double number(std::string_view name, double largest) const;
   std::vector<std::string> texts(std::string_view name, Count count) const;
 
   /// Finite numbers of at most `largest` in size.
