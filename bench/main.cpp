@@ -1,4 +1,5 @@
 #include "bench/body_bench.hpp"
+#include "bench/fit_bench.hpp"
 #include "bench/kernel_bench.hpp"
 #include "bench/report.hpp"
 
@@ -6,5 +7,6 @@ int main(int argc, char** argv) {
   using namespace bodyline::bench;
   register_kernel_benchmarks();
   register_body_benchmarks();
-  return run_and_report(argc, argv, {kernel_report(), body_report()});
+  register_fit_benchmarks();
+  return run_and_report(argc, argv, {kernel_report(), body_report(), fit_report()});
 }

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/deviation_text.hpp"
+#include "cli/bounds_options.hpp"
+#include "cli/drawn_target.hpp"
 #include "cli/fit_report.hpp"
+#include "cli/fit_text.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
 #include "cli/number_check.hpp"
@@ -21,20 +23,63 @@
 #include "io/write_model.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
+#include "optimize/outline_fit_target.hpp"
+#include "optimize/scan_fit_target.hpp"
+#include "optimize/strain_target.hpp"
 
 namespace bodyline::cli {
 namespace {
 
+// Weights of outlines beside a scan, and of the strain without and with one.
+constexpr double beside_scan = 0.3, held_shape = 100.0, held_with_scan = 1.0;
+
 struct Request {
   std::string start;
-  ScanTarget target;
+  ScanTarget scan;  // none when its path is empty
+  DrawnRequest drawn;
+  BoundsRequest bounds;
   Output output;
   optimize::FitOptions options;
+  std::string algorithm = optimize::algorithm_name(optimize::FitOptions{}.algorithm);
   ReportRequest report;
   bool json = false;
+
+  // A file that is read and must not be replaced.
+  const std::string& input() const { return scan.path.empty() ? start : scan.path; }
 };
 
-optimize::FitResult fit(Context& context, const PlacedScan& placed, const model::Model& start,
+void check_request(Request& request) {
+  if (request.scan.path.empty() && !request.drawn.wanted()) {
+    throw std::invalid_argument(
+        "there is nothing to fit to: give a scan, outlines (--views) or lines (--feature)");
+  }
+  if (request.scan.path.empty() && (!request.scan.pose.empty() || request.scan.unit_mm > 0.0))
+    throw std::invalid_argument("--pose and --unit place a scan, and there is none");
+  check_output(request.output, request.input(), {".toml"});
+  check_report(request.report, request.output.overwrite, request.input());
+}
+
+std::vector<optimize::FitTargetMaker> targets_of(const FittedCar& car, const model::Model& start,
+                                                 const optimize::FitOptions& options) {
+  std::vector<optimize::FitTargetMaker> targets;
+  if (car.scan) {
+    targets.push_back(optimize::scan_fit_target(car.scan->scan, car.scan->pose,
+                                                options.coarse_points, options.fine_points));
+  }
+  if (!car.drawn.outlines.empty())
+    targets.push_back(
+        optimize::outline_fit_target(car.drawn.outlines, car.scan ? beside_scan : 1.0));
+  if (!car.drawn.features.empty())
+    targets.push_back(optimize::feature_target(start, car.drawn.features));
+  if (!car.scan || !car.drawn.outlines.empty())
+    targets.push_back(optimize::strain_target(car.scan ? held_with_scan : held_shape));
+  if (!car.bounds.dimensions.empty())
+    targets.push_back(optimize::dimension_target(start, car.bounds.dimensions));
+  if (!car.bounds.points.empty()) targets.push_back(optimize::hard_point_target(car.bounds.points));
+  return targets;
+}
+
+optimize::FitResult fit(Context& context, const FittedCar& car, const model::Model& start,
                         optimize::FitOptions options) {
   const Interrupt interrupt;
   Progress progress(context, "fitting");
@@ -43,61 +88,49 @@ optimize::FitResult fit(Context& context, const PlacedScan& placed, const model:
     progress.update(-1.0, fmt::format("{} {} of {}, median distance {:.2f} mm", step.phase,
                                       step.round, step.rounds, step.distance));
   };
-  return optimize::fit_scan(placed.scan, placed.pose, start, options);
+  return optimize::fit_body(targets_of(car, start, options), start, options);
 }
 
-void print_result(Context& context, const Request& request, const PlacedScan& placed,
-                  const optimize::FitResult& result, const optimize::Deviation& deviation,
-                  double seconds) {
+void print_result(Context& context, const Request& request, const FittedCar& car) {
   if (request.json) {
-    print_json(context, {{"status", optimize::status_words(result.status)},
-                         {"scan", placed.words},
-                         {"pose", pose_json(placed.pose)},
-                         {"distance_mm", distances_json(deviation.distances)},
-                         {"unseen_patches", deviation.unseen_patches},
-                         {"folded", result.folded_faces},
-                         {"faces", faces_json(deviation)},
-                         {"seconds", seconds}});
+    print_json(context, fit_json(car));
     return;
   }
-  std::string text = fmt::format("{}\n{}\n\n{}", placed.words,
-                                 optimize::status_words(result.status), deviation_table(deviation));
-  if (!deviation.unseen_patches.empty()) {
-    text += fmt::format("Hardly seen by the scan, held by fairness alone: {}\n",
-                        fmt::join(deviation.unseen_patches, ", "));
-  }
-  for (const std::string& face : result.folded_faces) text += "still folded: " + face + "\n";
-  text += fmt::format("{:.1f} s\nfitted model: {}\n", seconds, request.output.path);
-  if (request.report.wanted()) text += "report: " + request.report.output.path + "\n";
-  *context.out << text;
+  *context.out << fit_text(car) << "fitted model: " << request.output.path << "\n";
+  if (request.report.wanted()) *context.out << "report: " << request.report.output.path << "\n";
 }
 
 void run(Context& context, Request& request) {
   const auto begin = std::chrono::steady_clock::now();
-  check_output(request.output, request.target.path, {".toml"});
-  check_report(request.report, request.output.overwrite, request.target.path);
+  check_request(request);
+  request.options.algorithm = optimize::algorithm_from_name(request.algorithm);
   const model::Model start = request.start.empty()
                                  ? io::read_model_text(template_text(), "the template")
                                  : load_model(context, request.start);
-  const PlacedScan placed = place_scan(context, request.target, start);
-  optimize::FitResult result = fit(context, placed, start, request.options);
-  result.model.name = std::filesystem::path(request.output.path).stem().string();
-  io::write_model(result.model, request.output.path,
+  FittedCar car;
+  car.bounds = read_bounds(request.bounds, start);
+  if (!request.scan.path.empty()) car.scan = place_scan(context, request.scan, start);
+  car.drawn = place_drawn(context, request.drawn, car.bounds, start, car.scan);
+  // Outlines say nothing of where curves lie on the surface: the start decides that, not the fit.
+  if (!car.scan) request.options.starts = {optimize::FitStart{}};
+  car.result = fit(context, car, car.drawn.start, request.options);
+  car.result.model.name = std::filesystem::path(request.output.path).stem().string();
+  io::write_model(car.result.model, request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   optimize::DeviationOptions measuring;
-  measuring.most_points = request.target.most_points;
-  const optimize::Deviation deviation =
-      optimize::measure_deviation(result.model, placed.scan, placed.pose, measuring);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  measuring.most_points = request.scan.most_points;
+  if (car.scan) {
+    car.deviation =
+        optimize::measure_deviation(car.result.model, car.scan->scan, car.scan->pose, measuring);
+  }
+  car.kept = measure_drawn(car.drawn, car.result.model);
+  car.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (request.report.wanted()) {
-    io::FitReport report =
-        deviation_report(result.model, measuring.stage, placed, deviation, request.report);
-    add_fit(report, start, result);
+    io::FitReport report = fit_report(car, start, request.report);
     write_report(context, report, request.report);
   }
-  print_result(context, request, placed, result, deviation, seconds);
-  if (!result.folded_faces.empty()) context.exit_code = exit_findings;
+  print_result(context, request, car);
+  if (!car.result.folded_faces.empty()) context.exit_code = exit_findings;
 }
 
 void add_weights(CLI::App& command, optimize::FitOptions& options) {
@@ -115,15 +148,24 @@ void add_weights(CLI::App& command, optimize::FitOptions& options) {
 
 void add_fit_command(CLI::App& program, Context& context) {
   const auto request = std::make_shared<Request>();
-  CLI::App* const command = add_command(program, "fit", "Fit the body to a scan of a car",
-                                        "bodyline fit scan.ply -o car.toml");
-  add_scan_target(*command, request->target);
+  CLI::App* const command =
+      add_command(program, "fit", "Fit the body to a scan or to outlines of a car",
+                  "bodyline fit scan.ply -o car.toml");
+  add_scan_target(*command, request->scan);
+  command->get_option("SCAN")->required(false);
+  add_drawn_target(*command, request->drawn);
   command->add_option("--start", request->start, "Model to start from; the template when left out")
       ->type_name("MODEL")
       ->check(CLI::ExistingFile);
+  add_bounds_options(*command, request->bounds);
   add_output(*command, request->output, "Fitted model, .toml");
   add_report_options(*command, request->report);
   add_weights(*command, request->options);
+  command
+      ->add_option("--algorithm", request->algorithm,
+                   "Of the search in each round: nlopt-lbfgs or ceres-lbfgs")
+      ->check(CLI::IsMember({"nlopt-lbfgs", "ceres-lbfgs"}))
+      ->capture_default_str();
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
 }

@@ -35,14 +35,34 @@ io::FitReport deviation_report(const model::Model& model, model::Stage stage,
   return report;
 }
 
-void add_fit(io::FitReport& report, const model::Model& start, const optimize::FitResult& result) {
+io::FitReport fit_report(const FittedCar& car, const model::Model& start,
+                         const ReportRequest& request) {
+  io::FitReport report;
+  if (car.deviation) {
+    report =
+        deviation_report(car.result.model, model::Stage::body, *car.scan, *car.deviation, request);
+  } else {
+    report.title = car.result.model.name;
+    report.body = car.result.model;
+    report.scan = false;
+    report.sections = section_planes(request);
+  }
+  if (!car.drawn.words.empty())
+    report.words += (report.words.empty() ? "" : "\n") + car.drawn.words;
+  for (const optimize::OutlineDeviation& view : car.kept.outlines) {
+    report.outlines.push_back({model::view_name(view.view), view.median, view.p90, view.points,
+                               view.distances, view.silhouette});
+  }
+  for (const optimize::FeatureDeviation& line : car.kept.features)
+    report.lines.push_back({line.curve, line.median, line.p90});
   report.before = start;
-  report.status = optimize::status_words(result.status);
-  report.folded_faces = result.folded_faces;
-  for (const optimize::FitProgress& round : result.history) {
+  report.status = optimize::status_words(car.result.status);
+  report.folded_faces = car.result.folded_faces;
+  for (const optimize::FitProgress& round : car.result.history) {
     report.history.push_back({round.phase, round.distance, round.seconds});
   }
-  report.seconds = result.seconds;
+  report.seconds = car.result.seconds;
+  return report;
 }
 
 void write_report(Context& context, io::FitReport& report, const ReportRequest& request) {

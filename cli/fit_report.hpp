@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/fit_text.hpp"
 #include "cli/report_options.hpp"
 #include "cli/scan_target.hpp"
 #include "io/fit_report.hpp"
@@ -12,13 +13,15 @@
 
 namespace bodyline::cli {
 
-/// What the report of a comparison shows. `model` and `stage` are those of the deviation.
+/// What the report of a comparison with a scan shows. `model` and `stage` are those of the
+/// deviation.
 io::FitReport deviation_report(const model::Model& model, model::Stage stage,
                                const PlacedScan& placed, const optimize::Deviation& deviation,
                                const ReportRequest& request);
 
-/// Adds what a fit knows more: where it started and how it went.
-void add_fit(io::FitReport& report, const model::Model& start, const optimize::FitResult& result);
+/// What the report of a fit shows: also where it started, how it went, and outlines.
+io::FitReport fit_report(const FittedCar& car, const model::Model& start,
+                         const ReportRequest& request);
 
 /// Writes the page, with progress.
 void write_report(Context& context, io::FitReport& report, const ReportRequest& request);

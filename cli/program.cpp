@@ -10,13 +10,18 @@
 #include "cli/convert_command.hpp"
 #include "cli/deviation_command.hpp"
 #include "cli/evaluate_command.hpp"
+#include "cli/explore_command.hpp"
 #include "cli/export_command.hpp"
 #include "cli/fair_command.hpp"
 #include "cli/fit_command.hpp"
+#include "cli/outline_command.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scan_command.hpp"
 #include "cli/set_command.hpp"
 #include "cli/shell_words.hpp"
+#include "cli/sketch_command.hpp"
+#include "cli/space_command.hpp"
+#include "cli/strokes_command.hpp"
 #include "cli/variables_command.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
@@ -29,6 +34,8 @@ void add_commands(CLI::App& program, Context& context) {
   add_fair_command(program, context);
   add_fit_command(program, context);
   add_deviation_command(program, context);
+  add_explore_command(program, context);
+  add_space_command(program, context);
   add_variables_command(program, context);
   add_set_command(program, context);
   add_evaluate_command(program, context);
@@ -37,6 +44,9 @@ void add_commands(CLI::App& program, Context& context) {
   add_convert_command(program, context);
   add_scan_command(program, context);
   add_chain_command(program, context);
+  add_outline_command(program, context);
+  add_strokes_command(program, context);
+  add_sketch_command(program, context);
 }
 
 int fail(Context& context, const std::string& sentence) {

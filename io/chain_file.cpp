@@ -18,7 +18,7 @@ constexpr double largest_number = 1e6;
 constexpr Count any_shape{0, 100}, any_points{1, 169};
 
 double number_or(const FileTable& table, std::string_view name, double otherwise) {
-  return table.has(name) ? table.number(name, largest_number) : otherwise;
+  return table.has(name) ? table.real(name, largest_number) : otherwise;
 }
 
 template <class Join>

@@ -1,39 +1,13 @@
 #include "io/export.hpp"
 
-#include <algorithm>
-#include <cctype>
-
+#include "io/export_extension.hpp"
 #include "io/export_step.hpp"
-#include "io/input_error.hpp"
-#include "io/mesh_files.hpp"
 #include "io/nets_json.hpp"
 #include "io/write_model.hpp"
 #include "model/build.hpp"
 
 namespace bodyline::io {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-std::string known_extension(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  const auto& known = export_extensions();
-  if (std::find(known.begin(), known.end(), extension) != known.end()) return extension;
-  std::string sentence = "has no extension of a format that can be written; those are";
-  for (const std::string& name : known) sentence += " " + name;
-  throw InputError(path.string(), 0, "", sentence + ".");
-}
-
-/// Before the work, so that a refusal does not come after minutes of it.
-void refuse_existing(const std::filesystem::path& path, Overwrite overwrite) {
-  std::error_code ignored;
-  if (overwrite == Overwrite::never && std::filesystem::exists(path, ignored))
-    throw InputError(path.string(), 0, "", "exists already and is not overwritten unless asked.");
-}
 
 std::string cad_text(const std::string& extension, const std::vector<model::Surface>& faces,
                      const std::string& name, ExportReport& report) {
@@ -49,14 +23,7 @@ std::string mesh_text(const std::string& extension, const std::vector<model::Sur
   const Mesh mesh = make_mesh(faces, {.tolerance_mm = tolerance_mm});
   report.max_deviation_mm = mesh.max_deviation_mm;
   report.triangles = static_cast<long>(mesh.triangles.size());
-  if (extension == ".stl") return stl_file(mesh);
-  if (extension == ".obj") return obj_file(mesh);
-  if (extension == ".ply") return ply_file(mesh);
-  return extension == ".glb" ? glb_file(mesh) : gltf_file(mesh);
-}
-
-bool is_cad(const std::string& extension) {
-  return extension.starts_with(".st") ? extension != ".stl" : extension.starts_with(".ig");
+  return mesh_file(mesh, extension);
 }
 
 }  // namespace

@@ -28,17 +28,17 @@ Handle(TCollection_HAsciiString) to_cad(const std::string& text) {
 }
 
 void name_faces(IGESControl_Writer& writer, const CadShell& cad,
-                const std::vector<model::Surface>& surfaces) {
+                const std::vector<std::string>& names) {
   const Handle(Transfer_FinderProcess) finder = writer.TransferProcess();
-  for (std::size_t f = 0; f < surfaces.size(); ++f) {
+  for (std::size_t f = 0; f < names.size(); ++f) {
     Handle(IGESData_IGESEntity) entity;
     const Handle(TransferBRep_ShapeMapper) mapper = TransferBRep::ShapeMapper(finder, cad.faces[f]);
     if (!finder->FindTypedTransient(mapper, STANDARD_TYPE(IGESData_IGESEntity), entity))
-      throw std::runtime_error("OpenCASCADE did not write the face " + surfaces[f].name);
+      throw std::runtime_error("OpenCASCADE did not write the face " + names[f]);
     const Handle(IGESBasic_Name) property = new IGESBasic_Name;
-    property->Init(1, to_cad(surfaces[f].name));
+    property->Init(1, to_cad(names[f]));
     entity->AddProperty(property);
-    entity->SetLabel(to_cad(surfaces[f].name.substr(0, label_length)));
+    entity->SetLabel(to_cad(names[f].substr(0, label_length)));
     writer.AddEntity(property);
   }
 }
@@ -56,12 +56,17 @@ std::string write_text(IGESControl_Writer& writer) {
 
 CadFile iges_file(const std::vector<model::Surface>& surfaces, const std::string& name) {
   const QuietCad quiet;
-  const CadShell cad = make_shell(surfaces);
+  return iges_file(make_shell(surfaces), face_names(surfaces), name);
+}
+
+CadFile iges_file(const CadShell& cad, const std::vector<std::string>& names,
+                  const std::string& name) {
+  const QuietCad quiet;
   IGESControl_Writer writer("MM", brep_mode);
   Interface_Static::SetCVal("write.iges.header.product", name.c_str());
   if (!writer.AddShape(cad.shape))
     throw std::runtime_error("OpenCASCADE could not translate the faces to IGES");
-  name_faces(writer, cad, surfaces);
+  name_faces(writer, cad, names);
   writer.ComputeModel();
   return {write_text(writer), cad.max_deviation_mm, cad.not_polynomial};
 }

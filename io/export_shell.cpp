@@ -30,8 +30,6 @@ namespace {
 
 using model::Side;
 
-constexpr double least_tolerance_mm = 1e-7;  // OpenCASCADE's own precision
-
 gp_Pnt to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 Handle(Geom_BSplineSurface) to_geometry(const SplineSurface& spline) {
@@ -72,7 +70,7 @@ Handle(Geom2d_Line) parameter_line(Side side, bool reversed) {
 
 std::vector<TopoDS_Vertex> make_vertices(const SideGraph& graph,
                                          const std::vector<model::Surface>& surfaces) {
-  std::vector<double> tolerance(graph.vertices.size(), least_tolerance_mm);
+  std::vector<double> tolerance(graph.vertices.size(), least_cad_tolerance_mm);
   for (const SharedCurve& curve : graph.curves) {
     for (const SideUse& use : curve.uses) {
       const auto points = side_points(surfaces[use.face], use.side);
@@ -95,7 +93,7 @@ TopoDS_Edge make_edge(const SharedCurve& curve, const std::vector<model::Surface
                       const std::vector<TopoDS_Vertex>& vertices) {
   BRep_Builder builder;
   TopoDS_Edge edge;
-  const double tolerance = std::max(least_tolerance_mm, 2.0 * curve.gap_mm);
+  const double tolerance = std::max(least_cad_tolerance_mm, 2.0 * curve.gap_mm);
   const SideUse& first = curve.uses[0];
   if (curve.degenerate) {
     builder.MakeEdge(edge);
@@ -144,7 +142,14 @@ std::vector<int> connected_parts(const SideGraph& graph, std::size_t faces) {
   return part;
 }
 
-/// One shell for every connected part: a shell has to be connected.
+}  // namespace
+
+std::vector<std::string> face_names(const std::vector<model::Surface>& surfaces) {
+  std::vector<std::string> names;
+  for (const model::Surface& surface : surfaces) names.push_back(surface.name);
+  return names;
+}
+
 TopoDS_Shape collect_shells(const std::vector<TopoDS_Face>& faces, const std::vector<int>& part) {
   BRep_Builder builder;
   TopoDS_Compound compound;
@@ -169,8 +174,6 @@ void refuse_invalid(const TopoDS_Shape& shape) {
     throw std::runtime_error("the faces do not make a valid shell for OpenCASCADE");
 }
 
-}  // namespace
-
 struct QuietCad::Printers {
   Message_SequenceOfPrinters sequence;
 };
@@ -193,7 +196,7 @@ CadShell make_shell(const std::vector<model::Surface>& surfaces) {
     const SplineSurface spline = spline_surface(surfaces[f]);
     result.max_deviation_mm = std::max(result.max_deviation_mm, spline.deviation_mm);
     if (spline.deviation_mm > 0.0) result.not_polynomial.push_back(surfaces[f].name);
-    builder.MakeFace(result.faces[f], to_geometry(spline), least_tolerance_mm);
+    builder.MakeFace(result.faces[f], to_geometry(spline), least_cad_tolerance_mm);
   }
   const std::vector<TopoDS_Vertex> vertices = make_vertices(graph, surfaces);
   std::vector<TopoDS_Edge> edges;

@@ -25,6 +25,18 @@ struct CadShell {
 /// std::runtime_error when OpenCASCADE finds the result invalid.
 CadShell make_shell(const std::vector<model::Surface>& surfaces);
 
+std::vector<std::string> face_names(const std::vector<model::Surface>& surfaces);
+
+/// Parts of building a shell that every source of faces needs: one shell for each set of faces that
+/// hangs together (part[f] names the set of face f), in a compound when there are several.
+TopoDS_Shape collect_shells(const std::vector<TopoDS_Face>& faces, const std::vector<int>& part);
+
+/// Throws std::runtime_error when OpenCASCADE finds the shape invalid.
+void refuse_invalid(const TopoDS_Shape& shape);
+
+/// OpenCASCADE's own precision, mm.
+inline constexpr double least_cad_tolerance_mm = 1e-7;
+
 /// While it lives OpenCASCADE prints nothing. Its messages and its settings belong to the whole
 /// process, so exporters must not run in two threads at once.
 class QuietCad {

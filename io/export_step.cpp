@@ -33,14 +33,13 @@ Handle(TCollection_HAsciiString) to_cad(const std::string& text) {
 }
 
 void name_faces(STEPControl_Writer& writer, const CadShell& cad,
-                const std::vector<model::Surface>& surfaces) {
+                const std::vector<std::string>& names) {
   const Handle(Transfer_FinderProcess) finder = writer.WS()->TransferWriter()->FinderProcess();
-  for (std::size_t f = 0; f < surfaces.size(); ++f) {
+  for (std::size_t f = 0; f < names.size(); ++f) {
     const Handle(StepRepr_RepresentationItem) item =
         STEPConstruct::FindEntity(finder, cad.faces[f]);
-    if (item.IsNull())
-      throw std::runtime_error("OpenCASCADE did not write the face " + surfaces[f].name);
-    item->SetName(to_cad(plain(surfaces[f].name)));
+    if (item.IsNull()) throw std::runtime_error("OpenCASCADE did not write the face " + names[f]);
+    item->SetName(to_cad(plain(names[f])));
   }
 }
 
@@ -75,7 +74,12 @@ std::string write_text(STEPControl_Writer& writer, const std::string& name) {
 
 CadFile step_file(const std::vector<model::Surface>& surfaces, const std::string& name) {
   const QuietCad quiet;
-  const CadShell cad = make_shell(surfaces);
+  return step_file(make_shell(surfaces), face_names(surfaces), name);
+}
+
+CadFile step_file(const CadShell& cad, const std::vector<std::string>& names,
+                  const std::string& name) {
+  const QuietCad quiet;
   STEPControl_Writer writer;  // registers the settings below
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   Interface_Static::SetCVal("write.step.unit", "MM");
@@ -83,7 +87,7 @@ CadFile step_file(const std::vector<model::Surface>& surfaces, const std::string
   writer.Model(true);
   if (writer.Transfer(cad.shape, STEPControl_AsIs) != IFSelect_RetDone)
     throw std::runtime_error("OpenCASCADE could not translate the faces to STEP");
-  name_faces(writer, cad, surfaces);
+  name_faces(writer, cad, names);
   name_product(writer, name);
   return {write_text(writer, name), cad.max_deviation_mm, cad.not_polynomial};
 }

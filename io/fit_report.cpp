@@ -13,8 +13,9 @@ constexpr PictureSize picture_size{960, 540};  // eleven pictures: 4 MB
 std::string fit_report_page(const FitReport& report, const PictureSize& pictures) {
   std::string html = fit_verdict_section(report);
   html += fit_viewer_section(report);
-  html += fit_map_section(report, pictures);
-  html += fit_distances_section(report);
+  if (report.scan) html += fit_map_section(report, pictures);
+  if (report.scan) html += fit_distances_section(report);
+  html += fit_outlines_section(report);
   html += fit_cuts_section(report);
   html += fit_comparison_section(report, pictures);
   html += fit_history_section(report);

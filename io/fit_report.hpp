@@ -35,8 +35,23 @@ struct ReportRound {
   double distance = 0.0, seconds = 0.0;  ///< median, mm; since the start
 };
 
-/// How well a body fits a scan, and how it came to. Plain data: the fit itself is known to no one
-/// here.
+/// An outline drawn in a view, beside the body's.
+struct ReportOutline {
+  std::string view;
+  double median = 0.0, p90 = 0.0;       ///< mm, of the drawn points from the silhouette
+  std::vector<Eigen::Vector2d> points;  ///< of the drawn outline in the view's picture, mm
+  std::vector<double> distances;        ///< of each, positive outside of the body
+  std::vector<std::vector<Eigen::Vector2d>> silhouette;  ///< of the body
+};
+
+/// A line that a curve of the body follows.
+struct ReportLine {
+  std::string curve;
+  double median = 0.0, p90 = 0.0;  ///< mm
+};
+
+/// How well a body fits a scan or drawings, and how it came to. Plain data: the fit itself is known
+/// to no one here.
 struct FitReport {
   std::string title;
   std::string words;   ///< what was read and found, sentences
@@ -45,6 +60,7 @@ struct FitReport {
   std::optional<model::Model> before;  ///< what the fit started from
   model::Model body;
   model::Stage stage = model::Stage::body;
+  bool scan = true;    ///< without one there are no pose, field, distances, faces and points
   model::Pose pose;    ///< of the scan
   SurfaceField field;  ///< signed distances
   ReportDistances distances;
@@ -53,12 +69,15 @@ struct FitReport {
   std::vector<ReportRound> history;
   std::vector<MeasuredPoint> points;   ///< of the scan, mirrored to the left half
   std::vector<SectionPlane> sections;  ///< empty: the usual ones
+  std::vector<ReportOutline> outlines;
+  std::vector<ReportLine> lines;
   double seconds = 0.0;
 };
 
 /// Writes one self-contained HTML page: verdict, body to turn in the colours of its distances,
-/// pictures of it, histogram, table of faces, sections with the scan, pose, and with a fit the
-/// bodies before and after and how it converged. Throws as write_file and render do.
+/// pictures of it, histogram, table of faces, sections with the scan, outlines beside those drawn,
+/// pose, and with a fit the bodies before and after and how it converged. Throws as write_file and
+/// render do.
 void write_fit_report(const FitReport& report, const std::filesystem::path& path,
                       Overwrite overwrite = Overwrite::never);
 

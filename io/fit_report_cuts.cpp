@@ -27,9 +27,12 @@ std::string fit_cuts_section(const FitReport& report) {
                                          html_escaped(plane.name()))
                            : figure(plane, svg);
   }
-  return "<section id=\"cuts\">\n<h2>Sections</h2>\n<p class=\"lead\">The body as a line, points "
-         "of the scan as dots: grey near it, blue inside, red outside. Points of the right half "
-         "are mirrored to the left, and sections across the car show that half, seen from behind. "
+  const std::string dots =
+      report.scan ? ", points of the scan as dots: grey near it, blue inside, red outside. Points "
+                    "of the right half are mirrored to the left, and sections across the car show "
+                    "that half, seen from behind. "
+                  : ". Sections across the car show the left half, seen from behind. ";
+  return "<section id=\"cuts\">\n<h2>Sections</h2>\n<p class=\"lead\">The body as a line" + dots +
          "<span class=\"live-only\">Hold Ctrl and scroll to come closer, drag to move, "
          "double-click to return.</span></p>\n<div class=\"cuts\">\n" +
          figures + "</div>\n</section>\n";

@@ -25,10 +25,16 @@ std::string fit_viewer_section(const FitReport& report) {
   const auto after = model::build(report.body, report.stage, halves);
   const auto before = report.before ? model::build(*report.before, report.stage, halves) : after;
   ViewerText text;
+  text.blended = report.before.has_value();
+  if (!report.scan) {
+    const double range = curvature_range(after, Map::mean_curvature);
+    text.map = "Mean curvature";
+    text.scale = fmt::format("red bulges outwards, blue inwards; to {} per m", html_number(range));
+    return report_viewer(report_mesh(before, after, curvature_value(range)), text);
+  }
   text.map = "Distances";
   text.scale = fmt::format("blue: the scan lies inside, red: outside; to {} mm; grey: not seen",
                            html_number(report.field.range));
-  text.blended = report.before.has_value();
   text.first_look = 2;
   return report_viewer(report_mesh(before, after, field_value(report.field)), text);
 }

@@ -24,6 +24,11 @@ std::string fit_history_section(const FitReport& report) {
 }
 
 std::string fit_pose_section(const FitReport& report) {
+  if (!report.scan) {
+    return fmt::format(
+        "<section>\n<h2>What was drawn</h2>\n<p class=\"words\">{}</p>\n</section>\n",
+        html_escaped(report.words));
+  }
   const model::Pose& pose = report.pose;
   std::string html =
       "<section>\n<h2>Where the scan lies</h2>\n<p class=\"lead\">x<sub>model</sub> = scale · "

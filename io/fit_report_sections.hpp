@@ -23,13 +23,16 @@ std::string fit_comparison_section(const FitReport& report, const PictureSize& s
 /// Histogram and table of faces.
 std::string fit_distances_section(const FitReport& report);
 
+/// Drawn outlines over those of the body, and lines that curves follow; empty without them.
+std::string fit_outlines_section(const FitReport& report);
+
 /// Sections of the body with points of the scan.
 std::string fit_cuts_section(const FitReport& report);
 
 /// How the median distance fell from round to round; empty without a fit.
 std::string fit_history_section(const FitReport& report);
 
-/// Where the scan lies.
+/// Where the scan lies, and what was said about files.
 std::string fit_pose_section(const FitReport& report);
 
 }  // namespace bodyline::io

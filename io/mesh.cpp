@@ -10,6 +10,7 @@
 
 #include "io/export_sides.hpp"
 #include "io/mesh_counts.hpp"
+#include "io/mesh_vertices.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -18,9 +19,7 @@ using model::Side;
 using model::Surface;
 
 constexpr double least_tolerance_mm = 1e-3;  // single precision resolves 0.0005 mm at 5 m
-constexpr long most_triangles = 20'000'000;
 constexpr int most_rounds = 12;
-const float smooth_cosine = static_cast<float>(std::cos(0.1 * 3.14159265358979 / 180.0));
 
 /// The vertices of one face: (counts[0] + 1) x (counts[1] + 1), v fastest.
 struct Grid {
@@ -39,38 +38,12 @@ struct Grid {
   }
 };
 
-/// Points and normals under construction; a point has one normal for every face that is not smooth
-/// with the others.
-class Vertices {
- public:
-  explicit Vertices(Mesh& mesh) : mesh_(mesh) {}
-
-  int add_point(const Eigen::Vector3d& p) {
-    mesh_.points.push_back(p.cast<float>());
-    normals_of_.emplace_back();
-    return static_cast<int>(mesh_.points.size()) - 1;
-  }
-
-  int add_normal(int point, const Eigen::Vector3d& normal) {
-    const Eigen::Vector3f n = normal.cast<float>();
-    for (int known : normals_of_[point])
-      if (mesh_.normals[known].dot(n) >= smooth_cosine) return known;
-    mesh_.normals.push_back(n);
-    normals_of_[point].push_back(static_cast<int>(mesh_.normals.size()) - 1);
-    return normals_of_[point].back();
-  }
-
- private:
-  Mesh& mesh_;
-  std::vector<std::vector<int>> normals_of_;
-};
-
 int running_count(const GridCounts& counts, Side side) {
   return side == Side::u0 || side == Side::u1 ? counts[1] : counts[0];
 }
 
 /// Vertices along every shared curve, once, ends included.
-std::vector<std::vector<int>> sample_curves(Vertices& vertices,
+std::vector<std::vector<int>> sample_curves(MeshVertices& vertices,
                                             const std::vector<Surface>& surfaces,
                                             const SideGraph& graph,
                                             const std::vector<GridCounts>& counts) {
@@ -94,7 +67,7 @@ std::vector<std::vector<int>> sample_curves(Vertices& vertices,
   return samples;
 }
 
-Grid fill_grid(Vertices& vertices, const Surface& surface, int face, const SideGraph& graph,
+Grid fill_grid(MeshVertices& vertices, const Surface& surface, int face, const SideGraph& graph,
                GridCounts counts, const std::vector<std::vector<int>>& samples) {
   Grid grid{counts, {}, {}};
   grid.point.assign((counts[0] + 1) * (counts[1] + 1), -1);
@@ -121,13 +94,6 @@ Grid fill_grid(Vertices& vertices, const Surface& surface, int face, const SideG
   return grid;
 }
 
-/// Area over the square of the longest side: 0 for a triangle without area.
-float quality(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
-  const float longest =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return longest > 0.0f ? (b - a).cross(c - a).norm() / longest : 0.0f;
-}
-
 /// Splits a cell, given by its corners counter-clockwise in the parameters, along the diagonal that
 /// gives the better triangles; one side shrunk to a point leaves one. The result numbers the cell's
 /// corners.
@@ -139,7 +105,7 @@ std::vector<std::array<int, 3>> split(const Mesh& mesh, const Grid& grid,
     if (p[k] == p[(k + 1) % 4]) return {{k, (k + 2) % 4, (k + 3) % 4}};
   const auto worst = [&](int k) {
     const auto x = [&](int l) -> const Eigen::Vector3f& { return mesh.points[p[(k + l) % 4]]; };
-    return std::min(quality(x(0), x(1), x(2)), quality(x(0), x(2), x(3)));
+    return std::min(triangle_quality(x(0), x(1), x(2)), triangle_quality(x(0), x(2), x(3)));
   };
   if (worst(0) >= worst(1)) return {{0, 1, 2}, {0, 2, 3}};
   return {{1, 2, 3}, {1, 3, 0}};
@@ -216,7 +182,7 @@ void add_triangles(Mesh& mesh, const Grid& grid, const GridTriangles& triangles)
 Mesh mesh_with_counts(const std::vector<Surface>& surfaces, const SideGraph& graph,
                       const std::vector<GridCounts>& counts, std::vector<double>& deviation) {
   Mesh mesh;
-  Vertices vertices(mesh);
+  MeshVertices vertices(mesh);
   const int faces = static_cast<int>(surfaces.size());
   const auto samples = sample_curves(vertices, surfaces, graph, counts);
   std::vector<Grid> grids;
@@ -240,11 +206,7 @@ Mesh mesh_with_counts(const std::vector<Surface>& surfaces, const SideGraph& gra
 void refuse_huge(const std::vector<GridCounts>& counts, double tolerance) {
   long triangles = 0;
   for (const GridCounts& c : counts) triangles += 2L * c[0] * c[1];
-  if (triangles <= most_triangles) return;
-  std::ostringstream message;
-  message << "a mesh within " << tolerance << " mm would take " << triangles / 1'000'000
-          << " million triangles; at most 20 million are made, so choose a larger tolerance";
-  throw std::runtime_error(message.str());
+  refuse_huge_mesh(triangles, tolerance);
 }
 
 }  // namespace

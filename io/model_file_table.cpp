@@ -98,11 +98,21 @@ bool FileTable::flag_or(std::string_view name, bool otherwise) const {
 }
 
 int FileTable::integer(std::string_view name) const {
+  return static_cast<int>(whole(name, 0, 1'000'000));
+}
+
+std::int64_t FileTable::whole(std::string_view name, std::int64_t least, std::int64_t most) const {
   const toml::node& node = required(name);
   if (!node.is_integer()) fail(name, must_be("a whole number", node));
   const std::int64_t value = node.as_integer()->get();
-  if (value < 0 || value > 1'000'000) fail(name, must_be("between 0 and 1000000", node));
-  return static_cast<int>(value);
+  if (value < least || value > most) {
+    fail(name, must_be("between " + std::to_string(least) + " and " + std::to_string(most), node));
+  }
+  return value;
+}
+
+double FileTable::real(std::string_view name, double largest) const {
+  return number(required(name), key(name), 1.0, largest);
 }
 
 const toml::array& FileTable::array(const toml::node& node, const std::string& path, Count count,
@@ -116,7 +126,8 @@ const toml::array& FileTable::array(const toml::node& node, const std::string& p
   return values;
 }
 
-double FileTable::number(std::string_view name, double largest) const {
+std::optional<double> FileTable::find_number(std::string_view name, double largest) const {
+  if (!has(name)) return std::nullopt;
   return number(required(name), key(name), 1.0, largest);
 }
 

@@ -45,11 +45,14 @@ class FileTable {
   std::string text_or(std::string_view name, const std::string& otherwise) const;
   bool flag_or(std::string_view name, bool otherwise) const;
   int integer(std::string_view name) const;
-  /// A finite number of at most `largest` in size.
-  double number(std::string_view name, double largest) const;
+  std::int64_t whole(std::string_view name, std::int64_t least, std::int64_t most) const;
+  /// A finite number of at most `largest` in size; none when the key is missing.
+  std::optional<double> find_number(std::string_view name, double largest) const;
   std::vector<std::string> texts(std::string_view name, Count count) const;
 
-  /// Finite numbers of at most `largest` in size.
+  /// A finite number of at most `largest` in size.
+  double real(std::string_view name, double largest) const;
+  /// Several of them.
   std::vector<double> numbers(std::string_view name, Count count, double largest) const;
   std::array<double, 2> pair_or(std::string_view name, std::array<double, 2> otherwise,
                                 double largest) const;

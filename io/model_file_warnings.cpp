@@ -14,8 +14,7 @@ void append_warnings(const ModelFile& file, const model::Model& model,
       const model::Side side = along_u ? model::Side::v0 : model::Side::u0;
       const auto basis = model::family(patch.basis, model::side_degree(model, patch, side));
       for (std::size_t k = 0; k < shape.size(); ++k) {
-        const auto [lower, upper] =
-            basis->shape_range(static_cast<int>(k) % basis->shape_count());
+        const auto [lower, upper] = basis->shape_range(static_cast<int>(k) % basis->shape_count());
         if (shape[k] >= lower && shape[k] <= upper) continue;
         const std::string key = "patches." + patch.name + ".shape." + (along_u ? "u" : "v") + "[" +
                                 std::to_string(k) + "]";

@@ -145,7 +145,14 @@ Picture traced(const Painter& painter, const RenderOptions& options) {
 
 // Chords stay far below a pixel at the sizes allowed; all faces alike, so that no cracks open
 // between them.
-int cells_per_face(std::size_t faces) { return faces <= 40 ? 64 : 40; }
+int cells_per_face(std::size_t faces) {
+  if (faces > 1000) return 8;  // pieces of faces, each of them small
+  return faces <= 40 ? 64 : 40;
+}
+
+// What is enough for a picture of some hundred pixels.
+constexpr int quick_cells = 8;
+constexpr OcclusionDetail quick_occlusion{2, 24, 16, 8, 16};
 
 std::vector<Eigen::Vector3d> all_points(const std::vector<FaceGrid>& grids) {
   std::vector<Eigen::Vector3d> points;
@@ -174,9 +181,11 @@ PictureSize size_from_text(const std::string& text) {
 Picture render(const std::vector<model::Surface>& faces, const RenderOptions& options) {
   check(faces, options);
   const MapColors colors(faces, options.map, options.curvature_range, options.field);
-  const std::vector<FaceGrid> grids = tessellate(faces, cells_per_face(faces.size()));
+  const std::vector<FaceGrid> grids =
+      tessellate(faces, options.quick ? quick_cells : cells_per_face(faces.size()));
   const RayScene scene(grids);
-  const Occlusion occlusion(scene, faces, grids);
+  const Occlusion occlusion(scene, faces, grids,
+                            options.quick ? quick_occlusion : OcclusionDetail{});
   const std::vector<Eigen::Vector3d> points = all_points(grids);
   const Camera camera(options.view, points,
                       body_frame(options.width, options.height, colors, !options.title.empty()));

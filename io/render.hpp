@@ -29,6 +29,7 @@ struct RenderOptions {
   /// Curvature at which the colours of a curvature map end on both sides, 1/m (mean) or 1/m^2
   /// (Gauss); absent: curvature_range() of the faces.
   std::optional<double> curvature_range;
+  bool quick = false;  ///< coarser faces and shadows: for pictures of some hundred pixels
   const SurfaceField* field = nullptr;  ///< what Map::field shows; must outlive the drawing
   std::string title;                    ///< top left; none when empty
   std::function<void(double)>

@@ -10,9 +10,6 @@
 namespace bodyline::io {
 namespace {
 
-constexpr int face_cells = 10;  // per direction, of a face's table
-constexpr int ground_cells_x = 144, ground_cells_y = 96;
-constexpr int face_directions = 64, ground_directions = 128;
 constexpr double ground_margin = 0.35;  // of the body's length, on each side
 
 // Directions over the hemisphere around z, dense where they count most (cosine law),
@@ -74,10 +71,12 @@ double Table2::sample(double x, double y) const {
 }
 
 Occlusion::Occlusion(const RayScene& scene, const std::vector<model::Surface>& faces,
-                     const std::vector<FaceGrid>& grids)
-    : faces_(faces.size(), Table2{face_cells + 1, face_cells + 1, {}}),
-      directions_(hemisphere(face_directions)) {
+                     const std::vector<FaceGrid>& grids, const OcclusionDetail& detail)
+    : detail_(detail),
+      faces_(faces.size(), Table2{detail.face_cells + 1, detail.face_cells + 1, {}}),
+      directions_(hemisphere(detail.face_directions)) {
   find_ground(scene, grids);
+  const int face_cells = detail.face_cells;
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
     for (int i = 0; i <= face_cells; ++i) {
       for (int j = 0; j <= face_cells; ++j) {
@@ -102,9 +101,10 @@ void Occlusion::find_ground(const RayScene& scene, const std::vector<FaceGrid>& 
   ground_height_ = box.min().z();
   ground_low_ = (box.min().head<2>().array() - ground_margin * length).matrix();
   ground_size_ = (box.diagonal().head<2>().array() + 2.0 * ground_margin * length).matrix();
+  const int ground_cells_x = detail_.ground_cells_x, ground_cells_y = detail_.ground_cells_y;
   ground_ = Table2{ground_cells_x + 1, ground_cells_y + 1, {}};
   ground_.values.resize((ground_cells_x + 1) * (ground_cells_y + 1));
-  const std::vector<Eigen::Vector3d> directions = hemisphere(ground_directions);
+  const std::vector<Eigen::Vector3d> directions = hemisphere(detail_.ground_directions);
   tbb::parallel_for(0, ground_.nx, [&](int ix) {
     for (int iy = 0; iy < ground_.ny; ++iy) {
       const double x = ground_low_.x() + ground_size_.x() * ix / ground_cells_x;

@@ -20,13 +20,20 @@ struct Table2 {
   double sample(double x, double y) const;
 };
 
+/// How closely occlusion is looked at.
+struct OcclusionDetail {
+  int face_cells = 10;  ///< per direction, of a face's table
+  int ground_cells_x = 144, ground_cells_y = 96;
+  int face_directions = 64, ground_directions = 128;
+};
+
 /// How much of the sky each point of the body and of the ground under it sees: 1 in the open, 0
 /// when enclosed. Found once on coarse grids; smooth in between. Does not depend on the number of
 /// threads.
 class Occlusion {
  public:
   Occlusion(const RayScene& scene, const std::vector<model::Surface>& faces,
-            const std::vector<FaceGrid>& grids);
+            const std::vector<FaceGrid>& grids, const OcclusionDetail& detail = {});
 
   /// On the outside of a face.
   double face(int index, double u, double v) const { return faces_[index].sample(u, v); }
@@ -41,6 +48,7 @@ class Occlusion {
   double seen_from_face(const RayScene& scene, const Eigen::Vector3d& point,
                         const Eigen::Vector3d& normal) const;
 
+  OcclusionDetail detail_;
   double ground_height_ = 0.0;
   double offset_ = 1.0;  // mm by which rays start off the body
   Eigen::Vector2d ground_low_{0.0, 0.0}, ground_size_{1.0, 1.0};

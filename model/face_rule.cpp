@@ -44,6 +44,22 @@ double legendre_root(int n, int k) {
   return x;
 }
 
+/// Root number k (1 is the largest) of P_n', n >= 2.
+double legendre_slope_root(int n, int k) {
+  constexpr int most_steps = 20;
+  double x = std::cos(std::numbers::pi * k / n);
+  for (int step = 0; step < most_steps; ++step) {
+    const LegendreValue p = legendre(n, x);
+    // Legendre's equation gives the second derivative.
+    const double second =
+        (2.0 * x * p.derivative - n * (n + 1) * p.value) / ((1.0 - x) * (1.0 + x));
+    const double correction = p.derivative / second;
+    x -= correction;
+    if (std::abs(correction) < 1e-12) break;  // as in legendre_root
+  }
+  return x;
+}
+
 double* write_basis(int degree, const GaussRule& gauss, double* table) {
   const int nodes = static_cast<int>(gauss.nodes.size());
   for (int k = 0; k < nodes; ++k) {
@@ -95,20 +111,39 @@ GaussRule gauss_rule(int nodes, double lo, double hi) {
   return rule;
 }
 
+GaussRule lobatto_rule(int nodes, double lo, double hi) {
+  require(nodes >= 2, "a Lobatto rule needs at least two nodes, not " + std::to_string(nodes));
+  GaussRule rule{std::vector<double>(nodes), std::vector<double>(nodes)};
+  const double middle = 0.5 * (lo + hi), half = 0.5 * (hi - lo);
+  for (int k = 0; k < nodes; ++k) {
+    const int mirrored = std::min(k, nodes - 1 - k);
+    const bool in_middle = 2 * mirrored + 1 == nodes;
+    const double root = mirrored == 0 ? 1.0
+                        : in_middle   ? 0.0
+                                      : legendre_slope_root(nodes - 1, mirrored);
+    const double value = mirrored == 0 ? 1.0 : legendre(nodes - 1, root).value;
+    rule.nodes[k] =
+        mirrored == 0 ? (k == 0 ? lo : hi) : middle + (k == mirrored ? -half : half) * root;
+    rule.weights[k] = 2.0 * half / (nodes * (nodes - 1) * value * value);
+  }
+  return rule;
+}
+
 Range summed_range(const Face& face) { return summed_range(face.kind, face.central); }
 Range summed_range(const Surface& surface) { return summed_range(surface.kind, surface.central); }
 
 void FaceTables::Deleter::operator()(double* p) const { ::operator delete[](p, table_alignment); }
 
-FaceTables::FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend) {
+FaceTables::FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend,
+                       MakeRule make_rule) {
   require(nodes >= 8 && nodes <= max_nodes && nodes % 8 == 0,
           "the number of Gauss nodes is " + std::to_string(nodes) +
               "; allowed are multiples of 8 up to " + std::to_string(max_nodes));
   require(degree_u >= 1 && degree_u <= max_degree && degree_v >= 1 && degree_v <= max_degree,
           "the degrees of a face are " + std::to_string(degree_u) + " and " +
               std::to_string(degree_v) + "; allowed are 1 to " + std::to_string(max_degree));
-  gauss_u_ = gauss_rule(nodes, 0.0, range == Range::half_u ? 0.5 : 1.0);
-  gauss_v_ = gauss_rule(nodes, 0.0, range == Range::half_v ? 0.5 : 1.0);
+  gauss_u_ = make_rule(nodes, 0.0, range == Range::half_u ? 0.5 : 1.0);
+  gauss_v_ = make_rule(nodes, 0.0, range == Range::half_v ? 0.5 : 1.0);
   const int size = nodes * (2 + orders * (degree_u + 1 + degree_v + 1)) +
                    (with_blend ? jet_entries * nodes * nodes : 0);
   data_.reset(static_cast<double*>(::operator new[](size * sizeof(double), table_alignment)));

@@ -17,6 +17,8 @@ struct GaussRule {
   std::vector<double> nodes, weights;
 };
 GaussRule gauss_rule(int nodes, double lo, double hi);
+/// The Gauss-Lobatto rule, two or more nodes: both ends are nodes; exact to degree 2 nodes - 3.
+GaussRule lobatto_rule(int nodes, double lo, double hi);
 
 /// What part of a face is integrated: all of it, or the half of a central face on the left
 /// (parameter in [0, 1/2]).
@@ -31,9 +33,12 @@ Range summed_range(const Surface& surface);
 /// taken from it stays valid as long as the tables live.
 class FaceTables {
  public:
+  using MakeRule = GaussRule (*)(int nodes, double lo, double hi);
+
   /// Degrees 1 to 12; `nodes` per direction, a multiple of 8 up to 64. Throws std::invalid_argument
   /// otherwise.
-  FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend);
+  FaceTables(int degree_u, int degree_v, int nodes, Range range, bool with_blend,
+             MakeRule make_rule = gauss_rule);
   const FaceRule& rule() const { return rule_; }
   const GaussRule& rule_u() const { return gauss_u_; }
   const GaussRule& rule_v() const { return gauss_v_; }

@@ -16,19 +16,26 @@ struct WeightedPoint {
   double x, z, weight;
 };
 
-Eigen::Vector3d curve_point(const Curve& curve, double t) {
-  const int degree = int(curve.points.size()) - 1;
+using Points = std::vector<Eigen::Vector3d>;
+
+Eigen::Vector3d curve_point(const Points& curve, double t) {
+  const int degree = int(curve.size()) - 1;
   const BernsteinJet basis = bernstein(degree, t);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int k = 0; k <= degree; ++k) sum += basis.d[0][k] * curve.points[k];
+  for (int k = 0; k <= degree; ++k) sum += basis.d[0][k] * curve[k];
   return sum;
 }
 
+void curve_point_pullback(double t, const Eigen::Vector3d& bar, Points& curve_bar) {
+  const int degree = int(curve_bar.size()) - 1;
+  const BernsteinJet basis = bernstein(degree, t);
+  for (int k = 0; k <= degree; ++k) curve_bar[k] += basis.d[0][k] * bar;
+}
+
 // Midpoints of short pieces in the xz-plane, weighted by the pieces' lengths.
-std::vector<WeightedPoint> sample_arch(const Model& model, const WheelArch& arch) {
+std::vector<WeightedPoint> sample_arch(const ArchCurves& curves) {
   std::vector<WeightedPoint> points;
-  for (int index : arch.curves) {
-    const Curve& curve = model.curves[index];
+  for (const Points& curve : curves) {
     for (int k = 0; k < pieces_per_curve; ++k) {
       const Eigen::Vector3d from = curve_point(curve, double(k) / pieces_per_curve);
       const Eigen::Vector3d to = curve_point(curve, double(k + 1) / pieces_per_curve);
@@ -75,17 +82,72 @@ double improve(const std::vector<WeightedPoint>& points, ArchCircle& circle) {
   return step.norm();
 }
 
+// The circle is where the sum of weight * r g is zero, r = distance - radius and g the derivative
+// of r by (x, z, radius): the implicit function theorem gives its derivative. `bar` is that of the
+// circle.
+void circle_pullback(const ArchCurves& curves, const ArchCircle& circle, const Eigen::Vector3d& bar,
+                     ArchCurves& curves_bar) {
+  const std::vector<WeightedPoint> points = sample_arch(curves);
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+  const auto frame = [&](const WeightedPoint& p, Eigen::Vector2d& ray, double& distance) {
+    ray = {p.x - circle.x, p.z - circle.z};
+    distance = ray.norm();
+    ray /= distance;
+    return Eigen::Vector3d(-ray[0], -ray[1], -1.0);
+  };
+  Eigen::Vector2d ray;
+  double distance = 0.0;
+  for (const WeightedPoint& p : points) {
+    const Eigen::Vector3d g = frame(p, ray, distance);
+    slope += p.weight * g * g.transpose();
+    slope.topLeftCorner<2, 2>() += p.weight * (distance - circle.radius) / distance *
+                                   (Eigen::Matrix2d::Identity() - ray * ray.transpose());
+  }
+  const Eigen::Vector3d s = -slope.fullPivLu().solve(bar);
+  std::size_t at = 0;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (int k = 0; k < pieces_per_curve; ++k, ++at) {
+      const WeightedPoint& p = points[at];
+      const Eigen::Vector3d g = frame(p, ray, distance);
+      const double r = distance - circle.radius;
+      const Eigen::Vector2d across = s.head<2>() - s.head<2>().dot(ray) * ray;
+      const Eigen::Vector2d point_bar = p.weight * (g.dot(s) * ray - r / distance * across);
+      curve_point_pullback((k + 0.5) / pieces_per_curve, {point_bar[0], 0.0, point_bar[1]},
+                           curves_bar[c]);
+      const double from_t = double(k) / pieces_per_curve, to_t = double(k + 1) / pieces_per_curve;
+      Eigen::Vector3d along = curve_point(curves[c], to_t) - curve_point(curves[c], from_t);
+      along.y() = 0.0;
+      const Eigen::Vector3d end_bar = r * g.dot(s) / p.weight * along;
+      curve_point_pullback(to_t, end_bar, curves_bar[c]);
+      curve_point_pullback(from_t, -end_bar, curves_bar[c]);
+    }
+  }
+}
+
 }  // namespace
 
-std::optional<ArchCircle> arch_circle(const Model& model, const WheelArch& arch) {
-  if (arch.curves.empty()) return std::nullopt;
-  const std::vector<WeightedPoint> points = sample_arch(model, arch);
+std::optional<ArchCircle> arch_circle(const ArchCurves& curves, ArchPullback* pullback) {
+  if (curves.empty()) return std::nullopt;
+  const std::vector<WeightedPoint> points = sample_arch(curves);
   std::optional<ArchCircle> circle = first_circle(points);
   if (!circle) return std::nullopt;
   for (int k = 0; k < most_steps && improve(points, *circle) > settled_mm; ++k) {
   }
   if (!std::isfinite(circle->x + circle->z + circle->radius)) return std::nullopt;
+  if (!pullback) return circle;
+  for (int k = 0; k < 3; ++k) {
+    pullback->of[k] = curves;
+    for (Points& curve : pullback->of[k])
+      for (Eigen::Vector3d& point : curve) point.setZero();
+    circle_pullback(curves, *circle, Eigen::Vector3d::Unit(k), pullback->of[k]);
+  }
   return circle;
+}
+
+std::optional<ArchCircle> arch_circle(const Model& model, const WheelArch& arch) {
+  ArchCurves curves;
+  for (int index : arch.curves) curves.push_back(model.curves[index].points);
+  return arch_circle(curves);
 }
 
 std::optional<double> wheelbase(const Model& model) {

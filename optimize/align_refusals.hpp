@@ -21,6 +21,15 @@ struct FitEvidence {
   double length_stretch = 1.0;  ///< length over that of the start model
 };
 
+/// Whether a scan is to be taken for a car.
+bool is_a_car(const FitEvidence& evidence);
+
+/// Whether nothing less than a whole car is worth a try.
+bool is_clearly_a_car(const FitEvidence& evidence);
+
+/// Whether evidence from half of the start model is stronger than `other`.
+bool is_rather_half_a_car(const FitEvidence& half, const FitEvidence& other);
+
 /// Refuses a scan that fits a body too badly, or in two directions alike.
 void refuse_by_fit(const FitEvidence& evidence);
 

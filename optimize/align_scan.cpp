@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "optimize/align_cloud.hpp"
+#include "optimize/align_level.hpp"
+#include "optimize/align_one_side.hpp"
 #include "optimize/align_refusals.hpp"
 #include "optimize/align_register.hpp"
 #include "optimize/align_search.hpp"
@@ -129,8 +131,12 @@ Placement settled(const AlignCloud& cloud, const AlignShape& shape, const Placem
   find_missing_side(few, shape, placement, result);
   Placement symmetric = placement;
   const SymmetryResult symmetry = settle_symmetry(cloud, symmetric);
-  if (result.missing != MissingSide::none || symmetry.partners < least_partners)
-    return registered(few, shape, placement, refining_scales, all_free);
+  if (result.missing != MissingSide::none || symmetry.partners < least_partners) {
+    Placement one = registered(few, shape, placement, refining_scales, all_free);
+    if (result.missing == MissingSide::none) return one;
+    settle_one_side(cloud, result.missing == MissingSide::right ? -1.0 : 1.0, one);
+    return registered(few, shape, one, refining_scales, in_plane);
+  }
   result.symmetry_mm = symmetry.residual_mm;
   return registered(few, shape, symmetric, refining_scales, in_plane);
 }
@@ -181,19 +187,48 @@ std::string described(const AlignResult& result) {
     std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
     words += text;
   }
+  if (result.pose_is_doubtful)
+    words += " AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
+  if (result.missing_end != MissingEnd::none)
+    words += result.missing_end == MissingEnd::front ? " The front half is missing."
+                                                     : " The rear half is missing.";
   if (result.doubt > worth_a_word)
     words += " Another orientation fits nearly as well: look at the result, or give the pose.";
   return words;
 }
 
-Placement found_placement(Prepared& car, const AlignShape& coarse, const AlignShape& fine,
-                          AlignResult& result) {
-  const auto found = searched(car, coarse);
-  if (found.size() > 1) result.doubt = found[1].score.total() / found[0].score.total();
-  const Placement placement = settled(car.off_ground, fine, found.front().placement, result);
-  judge(car.off_ground, fine, placement, result);
-  refuse_by_fit({result.fit, result.cover, result.doubt, placement.stretch[0]});
-  return shifted(car.off_ground, fine, placement);
+/// A search and what speaks for it.
+struct Found {
+  Placement placement;
+  AlignResult result;
+  FitEvidence evidence;
+};
+
+Found found_on(Prepared car, const AlignShape& coarse, const AlignShape& fine) {
+  Found found;
+  const auto candidates = searched(car, coarse);
+  if (candidates.size() > 1)
+    found.result.doubt = candidates[1].score.total() / candidates[0].score.total();
+  Placement placement = settled(car.off_ground, fine, candidates.front().placement, found.result);
+  judge(car.off_ground, fine, placement, found.result);
+  found.evidence = {found.result.fit, found.result.cover, found.result.doubt, placement.stretch[0]};
+  settle_level(car.off_ground, placement);
+  found.placement = shifted(car.off_ground, fine, placement);
+  return found;
+}
+
+// Tries halves of the start model where the scan may be no whole car.
+Found found_placement(const Prepared& car, const AlignShape& coarse, const AlignShape& fine) {
+  const Found whole = found_on(car, coarse, fine);
+  if (is_clearly_a_car(whole.evidence)) return whole;
+  Found best = whole;
+  for (const double end : {-1.0, 1.0}) {
+    Found half = found_on(car, half_shape(coarse, end), half_shape(fine, end));
+    half.result.missing_end = end < 0.0 ? MissingEnd::rear : MissingEnd::front;
+    if (is_rather_half_a_car(half.evidence, best.evidence)) best = half;
+  }
+  if (best.result.missing_end == MissingEnd::none) refuse_by_fit(whole.evidence);
+  return best;
 }
 
 // The given pose, judged; moved only when asked to.
@@ -210,7 +245,9 @@ Placement given_placement(const Prepared& car, const AlignShape& fine, const Ali
     judge(car.off_ground, fine, placement, result);
     return shifted(car.off_ground, fine, placement);
   }
-  judge(car.off_ground, fine, registered(few, fine, given, given_scales, stretches), result);
+  const Placement stretched = registered(few, fine, given, given_scales, stretches);
+  judge(car.off_ground, fine, stretched, result);
+  result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }
 
@@ -231,11 +268,16 @@ AlignResult align_scan(const model::Scan& scan, const model::Model& start,
   Prepared car = prepared(scan, options);
   const AlignShape fine = align_shape(start, fine_spacing);
   AlignResult result;
+  Placement placement;
+  if (options.pose) {
+    placement = given_placement(car, fine, options, result);
+  } else {
+    const Found found = found_placement(car, align_shape(start, coarse_spacing), fine);
+    result = found.result;
+    placement = found.placement;
+  }
   result.unit = car.unit.name;
   result.pose.scale = car.unit.mm;
-  const Placement placement =
-      options.pose ? given_placement(car, fine, options, result)
-                   : found_placement(car, align_shape(start, coarse_spacing), fine, result);
   result.pose.rotation = placement.rotation;
   result.pose.translation = placement.translation;
   result.words = described(result);

@@ -19,6 +19,9 @@ struct AlignOptions {
 /// Which side of the car a scan leaves out.
 enum class MissingSide { none, left, right };
 
+/// Which end of the car a scan leaves out.
+enum class MissingEnd { none, front, rear };
+
 /// Where a scan lies.
 struct AlignResult {
   model::Pose pose;
@@ -31,16 +34,18 @@ struct AlignResult {
                           ///< missing side, 0 to about 1
   double coverage = 0.0;  ///< share of its two sides with a point near, 0 to 1
   MissingSide missing = MissingSide::none;
-  std::string words;  ///< all this for the user, in sentences
+  MissingEnd missing_end = MissingEnd::none;
+  bool pose_is_doubtful = false;  ///< at a given pose the scan does not lie like a car
+  std::string words;              ///< all this for the user, in sentences
 };
 
 /// Finds where a scan of a car in any orientation, position and unit lies on a start model: which
 /// way is up and which way it drives, its plane of symmetry at y = 0, and the shift along the plane
 /// that brings it closest to the start model as it is. The car may be longer, wider or higher than
 /// the start model by up to 40 %; the pose's scale is only the unit. Outliers, ground, wheels and
-/// mirrors are ignored, and one side may be missing. The same input gives the same bits with any
-/// number of threads.
-/// Throws std::invalid_argument, with one sentence, for too few points and for what is not a car.
+/// mirrors are ignored, and one side or one half of the length may be missing. The same input gives
+/// the same bits with any number of threads. Throws std::invalid_argument, with one sentence, for
+/// too few points and for what is not a car.
 AlignResult align_scan(const model::Scan& scan, const model::Model& start,
                        const AlignOptions& options = {});
 

@@ -27,6 +27,12 @@ double length_along(const Surface& face, bool along_u, double at) {
   return length;
 }
 
+AlignShape shape_of(std::vector<Vector3d> points, std::vector<Vector3d> normals, double spacing) {
+  Vector3d low = points.front(), high = points.front();
+  for (const Vector3d& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
+  return {PointTree(std::move(points)), std::move(normals), low, high, spacing};
+}
+
 }  // namespace
 
 AlignShape align_shape(const model::Model& model, double spacing) {
@@ -43,9 +49,17 @@ AlignShape align_shape(const model::Model& model, double spacing) {
       }
     }
   }
-  Vector3d low = points.front(), high = points.front();
-  for (const Vector3d& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
-  return {PointTree(std::move(points)), std::move(normals), low, high, spacing};
+  return shape_of(std::move(points), std::move(normals), spacing);
+}
+
+AlignShape half_shape(const AlignShape& shape, double end) {
+  std::vector<Vector3d> points, normals;
+  for (std::size_t k = 0; k < shape.points().size(); ++k) {
+    if (end * (shape.points()[k].x() - shape.centre().x()) < 0.0) continue;
+    points.push_back(shape.points()[k]);
+    normals.push_back(shape.normals[k]);
+  }
+  return shape_of(std::move(points), std::move(normals), shape.spacing);
 }
 
 }  // namespace bodyline::optimize

@@ -23,4 +23,7 @@ struct AlignShape {
 /// Samples a model at its stage `body`, about one point per `spacing` x `spacing` mm.
 AlignShape align_shape(const model::Model& model, double spacing);
 
+/// Its front half (`end` = -1) or its rear half (1), along x.
+AlignShape half_shape(const AlignShape& shape, double end);
+
 }  // namespace bodyline::optimize

@@ -20,11 +20,7 @@ Distances distances_of(std::vector<double> distances) {
   result.median = quantile(distances, 0.5);
   result.p90 = quantile(distances, 0.9);
   result.p99 = quantile(distances, 0.99);
-  std::sort(distances.begin(), distances.end());
-  const auto kept = std::size_t(std::ceil(trim * double(distances.size())));
-  double sum = 0.0;
-  for (std::size_t k = 0; k < kept; ++k) sum += distances[k] * distances[k];
-  result.trimmed_rms = kept > 0 ? std::sqrt(sum / double(kept)) : 0.0;
+  result.trimmed_rms = trimmed_rms(std::move(distances), trim);
   return result;
 }
 

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "model/evaluator.hpp"
-#include "model/scan.hpp"
+#include "optimize/algorithm.hpp"
+#include "optimize/fit_target.hpp"
 #include "optimize/fit_variables.hpp"
-#include "optimize/rim_pulls.hpp"
-#include "optimize/robust_pulls.hpp"
-#include "optimize/scan_match.hpp"
 #include "optimize/status.hpp"
 
 namespace bodyline::optimize {
@@ -17,35 +15,32 @@ namespace bodyline::optimize {
 /// What a phase of a fit moves, and how it weighs what.
 struct FitPhaseOptions {
   model::Stage stage = model::Stage::body;
+  FitDetail detail = FitDetail::fine;
   std::vector<std::string> vary;  ///< patterns of variables; none: a smooth warp of all curves
   model::VariableBounds bounds;
   double bending = 0.0, stay = 0.0;  ///< weights against squared mm, see FitOptions
   int evaluations = 100;             ///< most of a round
+  Algorithm algorithm = Algorithm::nlopt_lbfgs;
   std::function<bool()> should_stop;
 };
 
-/// How much a round heeds and forbids.
-struct FitRound {
-  PullReach reach;
-  double fold_weight = 0.0;
-  model::FoldOptions fold;
-  int nodes = 8;      ///< Gauss nodes per direction on a face
-  double rims = 0.0;  ///< weight of the body's rims, see FitOptions
-};
-
-/// Rounds of matching and moving: in each the nearest points of the body are found and the
-/// variables searched that bring them to the scan.
+/// Rounds of matching and moving: in each the targets are matched with the body, and the variables
+/// searched that bring the body to them.
 class FitPhase {
  public:
-  /// `scan` is folded (folded_scan.hpp), has normals and must outlive the phase.
-  FitPhase(const model::Model& model, const model::Scan& scan, FitPhaseOptions options);
+  FitPhase(const model::Model& model, const std::vector<FitTargetMaker>& targets,
+           FitPhaseOptions options);
   ~FitPhase();
+  FitPhase(FitPhase&&) noexcept;
 
   struct Outcome {
-    double distance = 0.0;  ///< median distance of the scan's points before the round, mm
+    double distance = 0.0;  ///< of the first target before the round, mm
     Status status = Status::failed;
   };
   Outcome run(const FitRound& round);
+
+  /// Matches the body as it is now; the misfits of all targets together, mm.
+  double misfit(const FitRound& round);
 
   /// The model as it is now.
   model::Model model() const;

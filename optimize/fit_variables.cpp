@@ -87,6 +87,18 @@ VectorXd FitVariables::expand_pullback(const VectorXd& bar) const {
   return warp_.size() == 0 ? bar : VectorXd(warp_.transpose() * bar);
 }
 
+Eigen::MatrixXd FitVariables::expand_rows(const Eigen::MatrixXd& rows) const {
+  return warp_.size() == 0 ? rows : Eigen::MatrixXd(rows * warp_);
+}
+
+void FitProblem::use_residuals() { residuals_ = std::make_unique<EnergyResiduals>(*evaluator_); }
+
+void FitProblem::residuals(const VectorXd& x, VectorXd& r, Eigen::MatrixXd* jacobian) {
+  if (jacobian) rows_.resize(residuals_->count(), evaluator_->size());
+  residuals_->evaluate(variables_->expand(x), r, jacobian ? &rows_ : nullptr);
+  if (jacobian) *jacobian = variables_->expand_rows(rows_);
+}
+
 double FitProblem::value(const VectorXd& x, VectorXd* gradient) {
   const double value = evaluator_->evaluate(variables_->expand(x), gradient ? &gradient_ : nullptr);
   if (gradient) *gradient = variables_->expand_pullback(gradient_);

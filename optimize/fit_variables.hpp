@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "model/evaluator.hpp"
+#include "optimize/energy_residuals.hpp"
 #include "optimize/problem.hpp"
 
 namespace bodyline::optimize {
@@ -22,6 +24,8 @@ class FitVariables {
   /// The selected variables of the body at x.
   Eigen::VectorXd expand(const Eigen::VectorXd& x) const;
   Eigen::VectorXd expand_pullback(const Eigen::VectorXd& bar) const;
+  /// Rows of derivatives by the selected variables to rows by x.
+  Eigen::MatrixXd expand_rows(const Eigen::MatrixXd& rows) const;
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
   const Eigen::VectorXd& scale() const { return scale_; }
@@ -46,10 +50,18 @@ class FitProblem : public Problem {
   const Eigen::VectorXd& scale() const override { return variables_->scale(); }
   double value(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) override;
 
+  /// Prepares the least-squares form.
+  void use_residuals();
+  bool has_residuals() const override { return residuals_ != nullptr; }
+  Eigen::Index residual_count() const override { return residuals_ ? residuals_->count() : 0; }
+  void residuals(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) override;
+
  private:
   model::Evaluator* evaluator_;
   const FitVariables* variables_;
   Eigen::VectorXd gradient_;
+  std::unique_ptr<EnergyResiduals> residuals_;
+  Eigen::MatrixXd rows_;  // by the selected variables
 };
 
 }  // namespace bodyline::optimize

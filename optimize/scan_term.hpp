@@ -6,14 +6,9 @@
 #include "model/kernels.hpp"
 #include "model/net_term.hpp"
 #include "optimize/scan_match.hpp"
+#include "optimize/scan_moments.hpp"
 
 namespace bodyline::optimize {
-
-/// What one match asks of its face: (S(u,v) - target)' W (S(u,v) - target) should be small.
-struct MatchPull {
-  Eigen::Vector3d target;
-  Eigen::Matrix3d weight;  ///< W, symmetric, not negative; all zero leaves the match out
-};
 
 /// Weighted mean of squared distances of a scan's points from their faces, mm^2, with the
 /// parameters of the matches held (docs/fitting.md). However many points, a face keeps only the
@@ -28,6 +23,8 @@ class ScanTerm : public model::NetTerm {
   /// number of them.
   void set(const std::vector<Match>& matches, const std::vector<MatchPull>& pulls,
            double total_weight = 0.0);
+  /// The same from moments by face.
+  void set(const std::vector<FaceMoments>& moments, double total_weight = 0.0);
 
   model::Stage stage() const override { return stage_; }
   double value(const double* nets, double scale, double* nets_bar) override;

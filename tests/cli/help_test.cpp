@@ -42,8 +42,8 @@ TEST_F(Help, OfEveryCommandShowsAnExampleThatStartsWithIt) {
 
 // The line after "Example:" is a command line that works.
 TEST_F(Help, ExamplesWork) {
-  std::filesystem::copy(std::filesystem::path(car("model1")).parent_path(), file("cars"));
-  std::filesystem::copy(BODYLINE_SOURCE_DIR "/examples", file("examples"));
+  for (const char* folder : {"cars", "examples"})
+    std::filesystem::copy(std::filesystem::path(BODYLINE_SOURCE_DIR) / folder, file(folder));
   // What fit and deviation take comes from scan, and fitted.toml from the user.
   std::filesystem::copy(car("model1"), file("fitted.toml"));
   testing::run_in(file("."),

@@ -141,5 +141,53 @@ TEST_F(FitReport, HostileNamesAreText) {
   EXPECT_EQ(tag_error(page), "");
 }
 
+io::FitReport outline_fit() {
+  io::FitReport report;
+  const io::FitReport with_scan = small_fit();
+  report.title = "drawn";
+  report.words = "Outlines in side.";
+  report.scan = false;
+  report.body = with_scan.body;
+  report.before = with_scan.before;
+  report.history = with_scan.history;
+  report.outlines = {{"side",
+                      0.4375,
+                      2.125,
+                      {{0.0, 0.0}, {5.0, 0.0}, {10.0, 3.0}},
+                      {0.5, -9.0, 9.0},
+                      {{{0.0, 0.0}, {4000.0, 0.0}, {4000.0, 1200.0}, {0.0, 0.0}}}}};
+  report.lines = {{"windshield__roof", 0.0625, 0.25}};
+  return report;
+}
+
+TEST(FitReportOfOutlines, ShowsThemAndNothingOfAScan) {
+  const std::string page = io::fit_report_page(outline_fit(), small_pictures);
+  EXPECT_EQ(tag_error(page), "");
+  const std::string text = visible_text(page);
+  for (const char* part : {"fit to outlines", "0.438 mm", "2.12", "windshield__roof", "0.0625"})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_THAT(page, HasSubstr("aria-label=\"Outline from side\""));
+  for (const char* part : {"Where the scan lies", "Face by face", "the scan"})
+    EXPECT_THAT(text, Not(HasSubstr(part)));
+}
+
+TEST(FitReportOfOutlines, HasDotsInThreeColours) {
+  // Near, inside and outside.
+  const std::string page = io::fit_report_page(outline_fit(), small_pictures);
+  const std::regex dots("<path class=\"dots\" stroke=\"(#[0-9a-f]{6})\"");
+  EXPECT_EQ(std::distance(std::sregex_iterator(page.begin(), page.end(), dots), {}), 3);
+}
+
+TEST(FitReportOfOutlines, ComesBesideAScanToo) {
+  io::FitReport report = small_fit();
+  EXPECT_THAT(io::fit_report_page(report, small_pictures), Not(HasSubstr("id=\"outlines\"")));
+  report.outlines = outline_fit().outlines;
+  report.outlines[0].view = "<b>side</b>";
+  const std::string page = io::fit_report_page(report, small_pictures);
+  EXPECT_THAT(page, HasSubstr("id=\"outlines\""));
+  EXPECT_THAT(page, Not(HasSubstr("<b>side")));
+  EXPECT_EQ(tag_error(page), "");
+}
+
 }  // namespace
 }  // namespace bodyline

@@ -41,6 +41,20 @@ TEST(GaussRule, RisesInsideItsRangeAndItsWeightsSumToTheLength) {
   EXPECT_NEAR(std::accumulate(rule.weights.begin(), rule.weights.end(), 0.0), 3.5, 1e-14);
 }
 
+TEST(LobattoRule, IntegratesPolynomialsOfDegreeTwiceTheNodesLessThree) {
+  for (const int nodes : {2, 3, 5, 8, 16}) {
+    const model::GaussRule rule = model::lobatto_rule(nodes, 0.0, 1.0);
+    EXPECT_EQ(rule.nodes.front(), 0.0);
+    EXPECT_EQ(rule.nodes.back(), 1.0);
+    for (int power = 0; power < 2 * nodes - 2; ++power) {
+      double integral = 0.0;
+      for (int k = 0; k < nodes; ++k) integral += rule.weights[k] * std::pow(rule.nodes[k], power);
+      EXPECT_NEAR(integral * (power + 1), 1.0, 1e-15 * (4 + power))
+          << nodes << " nodes, power " << power;
+    }
+  }
+}
+
 TEST(FaceTables, HoldTheBernsteinPolynomialsAtTheNodes) {
   const model::FaceTables tables(5, 3, 8, model::Range::half_v, false);
   const model::FaceRule& rule = tables.rule();

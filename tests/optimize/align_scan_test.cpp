@@ -167,6 +167,56 @@ TEST(AlignScan, PutsThePlaneOfSymmetryAtZero) {
   EXPECT_NEAR(found.y(), 0.0, 3.0);
 }
 
+// Where a pose takes the point that the true pose puts into the middle of the car.
+double middle_off_plane(const AlignResult& result, const Pose& truth) {
+  const Vector3d middle(2400, 0, 600);
+  const Vector3d scanned = truth.rotation.transpose() * (middle - truth.translation) / truth.scale;
+  return (result.pose.scale * (result.pose.rotation * scanned) + result.pose.translation).y();
+}
+
+// Of one side of a car that is 10 % wider than the start model.
+Scan one_side_of_wide_car(double upto, unsigned seed) {
+  model::Model wide = car("model1");
+  for (model::Curve& curve : wide.curves)
+    for (Vector3d& point : curve.points) point.y() *= 1.1;
+  SampleDraw draw(seed);
+  return kept(sampled(wide, sample_points, 0.5, draw),
+              [&](const Vector3d& point) { return point.y() < upto; });
+}
+
+TEST(AlignScan, TakesTheCutOfOneSideForTheMiddle) {
+  constexpr double off = 10.0;  // mm; points end before the surface does
+  for (unsigned seed = 5; seed < 8; ++seed) {
+    const Pose truth = random_pose(seed);
+    const AlignResult result =
+        align_scan(scanned_from(one_side_of_wide_car(0.0, seed), truth), car("template"));
+    EXPECT_EQ(result.missing, MissingSide::right);
+    EXPECT_NEAR(middle_off_plane(result, truth), 0.0, off);
+  }
+}
+
+TEST(AlignScan, FindsTheMiddleOfOneSideAndABitMoreByWhereItIsLevel) {
+  constexpr double off = 35.0;  // mm; the cut is 150 mm off
+  const Pose truth = random_pose(5);
+  const AlignResult result =
+      align_scan(scanned_from(one_side_of_wide_car(150.0, 5), truth), car("template"));
+  EXPECT_EQ(result.missing, MissingSide::right);
+  EXPECT_NEAR(middle_off_plane(result, truth), 0.0, off);
+}
+
+TEST(AlignScan, StandsTheCarLevel) {
+  // A car of another shape, so that only its own lower edge can say what is level.
+  constexpr double off = 0.3;  // degrees
+  model::Model other = car("model2");
+  for (model::Curve& curve : other.curves)
+    for (Vector3d& point : curve.points) point.z() *= point.z() > 500.0 ? 1.15 : 1.0;
+  SampleDraw draw(6);
+  const Pose truth = random_pose(6);
+  const AlignResult result =
+      align_scan(scanned_from(sampled(other, sample_points, 1.0, draw), truth), car("template"));
+  EXPECT_LT(degrees_off(result, truth), off);
+}
+
 TEST(AlignScan, GivesTheSameBitsWithAnyNumberOfThreads) {
   SampleDraw draw(5);
   Scan scan = sampled(car("model2"), sample_points, 1.0, draw);
@@ -210,6 +260,16 @@ TEST(AlignScan, FindsTheRealCars) {
   }
 }
 
+TEST(AlignScan, BearsAMissingRearAndNamesIt) {
+  if (!have_scan("boxer")) GTEST_SKIP() << "no ../shared/scans here";
+  const Scan scan =
+      kept(read_test_scan("boxer"), [](const Vector3d& point) { return point.x() < 2240.0; });
+  const Pose truth = random_pose(5);
+  const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
+  EXPECT_LT(degrees_off(result, truth), other_car_degrees);
+  EXPECT_EQ(result.missing_end, MissingEnd::rear);
+}
+
 TEST(AlignScan, TakesAGivenPoseAsItIs) {
   SampleDraw draw(8);
   const model::Model start = car("template");
@@ -222,6 +282,19 @@ TEST(AlignScan, TakesAGivenPoseAsItIs) {
   EXPECT_EQ(result.pose.translation, options.pose->translation);
   EXPECT_EQ(result.pose.scale, options.pose->scale);
   EXPECT_GT(result.fit, 0.5);
+}
+
+TEST(AlignScan, SaysThatAGivenPoseIsWrong) {
+  SampleDraw draw(2);
+  const Scan scan = sampled(car("model1"), sample_points, 1.0, draw);
+  AlignOptions options;
+  options.pose = Pose{};
+  EXPECT_FALSE(align_scan(scan, car("template"), options).pose_is_doubtful);
+  options.pose->rotation =
+      Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3d::UnitZ()).toRotationMatrix();
+  const AlignResult wrong = align_scan(scan, car("template"), options);
+  EXPECT_TRUE(wrong.pose_is_doubtful);
+  EXPECT_NE(wrong.words.find("DOES NOT LIE LIKE A CAR"), std::string::npos);
 }
 
 TEST(AlignScan, RefinesAGivenPoseWhenAsked) {

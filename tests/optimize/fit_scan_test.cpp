@@ -3,15 +3,21 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <atomic>
 #include <cmath>
+#include <fstream>
 
 #include "io/read_model.hpp"
 #include "model/build.hpp"
 #include "model/evaluator.hpp"
 #include "model/selection.hpp"
+#include "optimize/align_scan.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
+#include "optimize/orient_normals.hpp"
+#include "optimize/random_pose.hpp"
 #include "optimize/simulate_scan.hpp"
+#include "tests/optimize/scan_samples.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -90,6 +96,99 @@ TEST(FitScan, RecoversAnotherCarFromNoisePointsAndOutliers) {
   EXPECT_TRUE(result.folded_faces.empty());
 }
 
+// The whole way that a scan takes: any pose and unit, normals unknown.
+TEST(FitScan, RecoversAnotherCarFromAnUnknownPoseAndUnit) {
+  const model::Model truth = other_car(6);
+  SimulateOptions options = scanner();
+  options.points = 60000;
+  options.pose = random_pose(6);
+  model::Scan scan = simulate_scan(truth, options);
+  scan.normals.clear();
+  const AlignResult aligned = align_scan(scan, start_model());
+  EXPECT_NEAR(aligned.pose.scale / options.pose.scale, 1.0, 1e-12);
+  const model::Scan oriented = oriented_scan(scan, aligned.pose, start_model(), 60000);
+  const FitResult result = fit_scan(oriented, aligned.pose, start_model(), {});
+  // Clean points of the true car, where the scan's pose puts them.
+  SimulateOptions clean;
+  clean.points = 20000;
+  clean.noise_mm = 0.0;
+  clean.seed = 99;
+  clean.pose = options.pose;
+  const Distances after =
+      measure_deviation(result.model, simulate_scan(truth, clean), aligned.pose).distances;
+  EXPECT_LE(after.median, median_tolerance);
+  EXPECT_LE(after.p99, most_tolerance);
+  EXPECT_TRUE(result.folded_faces.empty());
+}
+
+TEST(FitStart, AnEstateKeepsItsLengthAndItsLowerBody) {
+  const model::Model saloon = start_model();
+  const model::Model estate = started(saloon, {Eigen::Vector3d::Zero(), 1.0});
+  double furthest = 0.0;
+  for (std::size_t c = 0; c < saloon.curves.size(); ++c) {
+    for (std::size_t k = 0; k < saloon.curves[c].points.size(); ++k) {
+      const Eigen::Vector3d &from = saloon.curves[c].points[k], &to = estate.curves[c].points[k];
+      EXPECT_EQ(from.y(), to.y());
+      EXPECT_EQ(from.z(), to.z());
+      EXPECT_GE(to.x(), from.x());
+      if (from.z() < 500.0) {
+        EXPECT_EQ(from.x(), to.x());
+      }
+      furthest = std::max(furthest, to.x() - from.x());
+    }
+  }
+  EXPECT_GT(furthest, 500.0);  // the rear edge of the roof
+  for (const model::Surface& face : model::build(estate, model::Stage::base))
+    EXPECT_TRUE(face.net.front().allFinite());
+}
+
+TEST(FitStart, WithoutChangesIsTheModel) {
+  const model::Model model = start_model(), same = started(model, {});
+  for (std::size_t c = 0; c < model.curves.size(); ++c)
+    EXPECT_EQ(model.curves[c].points, same.curves[c].points);
+}
+
+struct RealCar {
+  const char* name;
+  double p90;  // mm; a car with steps and pockets has more
+};
+void PrintTo(const RealCar& car, std::ostream* stream) { *stream << car.name; }
+
+class FitRealCar : public testing::TestWithParam<RealCar> {};
+
+// Body panels only: glass, lamps and trim have other shapes than a body.
+model::Scan panels_of(const std::string& name, const model::Scan& scan) {
+  std::ifstream classes(BODYLINE_SOURCE_DIR "/../shared/scans/" + name + "_points.class.u8",
+                        std::ios::binary);
+  model::Scan panels;
+  for (std::size_t k = 0; k < scan.points.size(); ++k) {
+    if (classes.get() != 0) continue;
+    panels.points.push_back(scan.points[k]);
+    panels.normals.push_back(scan.normals[k]);
+  }
+  return panels;
+}
+
+TEST_P(FitRealCar, MeetsItsPanelsWithoutFolds) {
+  const std::string name = GetParam().name;
+  if (!have_scan(name)) GTEST_SKIP() << "no ../shared/scans here";
+  const model::Scan scan = read_test_scan(name);
+  const model::Model start = start_model();
+  const AlignResult aligned = align_scan(scan, start);
+  const FitResult result = fit_scan(scan, aligned.pose, start, {});
+  const Distances panels =
+      measure_deviation(result.model, panels_of(name, scan), aligned.pose).distances;
+  constexpr double median = 2.0;
+  EXPECT_LE(panels.median, median);
+  EXPECT_LE(panels.p90, GetParam().p90);
+  EXPECT_TRUE(result.folded_faces.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cars, FitRealCar,
+                         testing::Values(RealCar{"mondeo", 8.0}, RealCar{"sedan", 8.0},
+                                         RealCar{"escape", 12.0}, RealCar{"boxer", 8.0}),
+                         [](const auto& car) { return std::string(car.param.name); });
+
 TEST(FitScan, NeedsOneSideOnly) {
   const model::Model truth = other_car(2);
   SimulateOptions one_side = scanner();
@@ -120,7 +219,7 @@ TEST(FitScan, HasTheSameBitsForAnyNumberOfThreads) {
 TEST(FitScan, StopsWhenAskedWithABodyThatCanBeBuilt) {
   const model::Scan scan = simulate_scan(other_car(4), scanner());
   FitOptions options = quick_options();
-  int rounds = 0;
+  std::atomic<int> rounds = 0;
   options.on_progress = [&](const FitProgress&) { ++rounds; };
   options.should_stop = [&] { return rounds >= 3; };
   const FitResult result = fit_scan(scan, {}, start_model(), options);

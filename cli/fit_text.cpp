@@ -1,0 +1,62 @@
+#include "cli/fit_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/deviation_text.hpp"
+
+namespace bodyline::cli {
+namespace {
+
+nlohmann::ordered_json rounds_json(const optimize::FitResult& result) {
+  nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
+  for (const optimize::FitProgress& round : result.history)
+    rounds.push_back({{"phase", round.phase},
+                      {"round", round.round},
+                      {"median_mm", round.distance},
+                      {"seconds", round.seconds}});
+  return rounds;
+}
+
+}  // namespace
+
+nlohmann::ordered_json fit_json(const FittedCar& car) {
+  const BoundsKept kept = measure_bounds(car.bounds, car.result.model);
+  nlohmann::ordered_json json{{"status", optimize::status_words(car.result.status)}};
+  if (car.deviation) {
+    json["scan"] = car.scan->words;
+    json["pose"] = pose_json(car.scan->pose);
+    json["distance_mm"] = distances_json(car.deviation->distances);
+    json["unseen_patches"] = car.deviation->unseen_patches;
+  }
+  if (!car.drawn.words.empty()) json["drawings"] = car.drawn.words;
+  json["outline_mm"] = outlines_json(car.kept);
+  json["feature_mm"] = features_json(car.kept);
+  json["folded"] = car.result.folded_faces;
+  json["dimensions"] = dimensions_json(car.bounds, kept);
+  json["hard_points"] = hard_points_json(car.bounds, kept);
+  if (car.deviation) json["faces"] = faces_json(*car.deviation);
+  json["rounds"] = rounds_json(car.result);
+  json["seconds"] = car.seconds;
+  return json;
+}
+
+std::string fit_text(const FittedCar& car) {
+  std::string text;
+  if (car.scan) text += car.scan->words + "\n";
+  if (!car.drawn.words.empty()) text += car.drawn.words + "\n";
+  text += optimize::status_words(car.result.status) + "\n\n";
+  if (car.deviation) {
+    text += deviation_table(*car.deviation);
+    if (!car.deviation->unseen_patches.empty()) {
+      text += fmt::format("Hardly seen by the scan, held by fairness alone: {}\n",
+                          fmt::join(car.deviation->unseen_patches, ", "));
+    }
+  }
+  text += drawn_text(car.kept);
+  text += bounds_text(car.bounds, measure_bounds(car.bounds, car.result.model));
+  for (const std::string& face : car.result.folded_faces) text += "still folded: " + face + "\n";
+  return text + fmt::format("{:.1f} s\n", car.seconds);
+}
+
+}  // namespace bodyline::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/bounds_options.hpp"
+#include "cli/drawn_target.hpp"
+#include "cli/scan_target.hpp"
+#include "optimize/deviation.hpp"
+#include "optimize/fit_scan.hpp"
+
+namespace bodyline::cli {
+
+/// A fit: what a body was fitted to, and how well it meets that.
+struct FittedCar {
+  std::optional<PlacedScan> scan;
+  DrawnTarget drawn;
+  Bounds bounds;
+  optimize::FitResult result;
+  std::optional<optimize::Deviation> deviation;  ///< from the scan
+  DrawnKept kept;
+  double seconds = 0.0;  ///< from the files to the model
+};
+
+/// The document that `fit --json` prints (docs/fitting.md).
+nlohmann::ordered_json fit_json(const FittedCar& car);
+
+/// The same to be read.
+std::string fit_text(const FittedCar& car);
+
+}  // namespace bodyline::cli

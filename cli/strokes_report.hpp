@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/export.hpp"
+#include "model/check_face_net.hpp"
+#include "model/stroke.hpp"
+#include "strokes/build_surface.hpp"
+
+namespace bodyline::cli {
+
+/// What `bodyline strokes` made, for people and for programs.
+struct StrokesReport {
+  const std::vector<model::Stroke>* strokes = nullptr;
+  const strokes::SurfaceBuild* build = nullptr;
+  const model::FaceNet* net = nullptr;
+  model::FaceNetCheck check;
+  std::vector<std::string> findings;
+};
+
+/// Tables of strokes and sizes, and what is wrong.
+std::string strokes_text(const StrokesReport& report);
+
+/// The same as JSON.
+nlohmann::ordered_json strokes_json(const StrokesReport& report);
+
+/// What the output holds when it is a .json file: all strokes, from which `bodyline strokes` makes
+/// the same again, and the nets of all faces.
+std::string strokes_document(const StrokesReport& report);
+
+}  // namespace bodyline::cli

@@ -1,0 +1,115 @@
+#include "explore/block_codec.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+namespace bodyline::explore {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+constexpr int level = 1;
+// Deflating takes ten times as long as storing unless most bytes repeat, and then gains little: the
+// last digits of numbers are noise.
+constexpr double least_repeated = 0.85;
+constexpr std::size_t sampled_bytes = 2048;
+
+// Bytes of equal significance together, as the filter `shuffle` has them.
+Bytes shuffled(const std::byte* data, std::size_t count, std::size_t element) {
+  Bytes planes(count * element);
+  for (std::size_t p = 0; p < element; ++p) {
+    std::byte* const plane = planes.data() + p * count;
+    for (std::size_t k = 0; k < count; ++k) plane[k] = data[k * element + p];
+  }
+  return planes;
+}
+
+// Whether most bytes of a plane are what the byte before, or that of the row before, is.
+bool repeats(const std::byte* plane, std::size_t count, std::size_t row) {
+  if (count <= row) return false;
+  const std::size_t stride = std::max<std::size_t>(1, (count - row) / sampled_bytes);
+  std::size_t sampled = 0, repeated = 0;
+  for (std::size_t k = row; k < count; k += stride, ++sampled)
+    repeated += plane[k] == plane[k - 1] || plane[k] == plane[k - row];
+  return double(repeated) >= least_repeated * double(sampled);
+}
+
+// A zlib stream in which each plane has the method that suits it.
+class PlaneDeflater {
+ public:
+  explicit PlaneDeflater(std::size_t bytes) {
+    if (deflateInit(&stream_, level) != Z_OK) throw std::bad_alloc();
+    // Stored blocks and the switches between methods add a little to what zlib expects.
+    out_.resize(deflateBound(&stream_, bytes) + bytes / 1024 + 1024);
+    stream_.next_out = reinterpret_cast<Bytef*>(out_.data());
+    stream_.avail_out = uInt(out_.size());
+  }
+  PlaneDeflater(const PlaneDeflater&) = delete;
+  PlaneDeflater& operator=(const PlaneDeflater&) = delete;
+  ~PlaneDeflater() { deflateEnd(&stream_); }
+
+  void add(const std::byte* plane, std::size_t count, int wanted) {
+    if (wanted != level_) check(deflateParams(&stream_, wanted, Z_DEFAULT_STRATEGY));
+    level_ = wanted;
+    stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(plane));
+    stream_.avail_in = uInt(count);
+    check(deflate(&stream_, Z_NO_FLUSH));
+  }
+
+  Bytes finish() {
+    if (deflate(&stream_, Z_FINISH) != Z_STREAM_END) throw std::logic_error("zlib has no room");
+    out_.resize(stream_.total_out);
+    return std::move(out_);
+  }
+
+ private:
+  static void check(int code) {
+    if (code != Z_OK) throw std::logic_error("zlib refuses to go on");
+  }
+
+  z_stream stream_{};
+  int level_ = level;
+  Bytes out_;
+};
+
+Bytes compressed(const std::byte* data, const TableLayout& table) {
+  const std::size_t element = element_bytes(table.type), row = table.row_elements();
+  const std::size_t count = std::size_t(table.chunk_rows) * row;
+  const Bytes planes = shuffled(data, count, element);
+  PlaneDeflater deflater(planes.size());
+  for (std::size_t p = 0; p < element; ++p) {
+    const std::byte* const plane = planes.data() + p * count;
+    deflater.add(plane, count, repeats(plane, count, row) ? level : 0);
+  }
+  return deflater.finish();
+}
+
+}  // namespace
+
+EncodedBlock encode_block(const StoreLayout& layout, const VariantRows& rows) {
+  EncodedBlock block{rows.first, rows.count, {}};
+  for (const TableLayout& table : layout.tables) {
+    auto& chunks = block.chunks.emplace_back();
+    const std::byte* const data = table_data(rows, table.name);
+    for (int row = 0; row < rows.count; row += table.chunk_rows) {
+      const std::byte* first = data + std::size_t(row) * table.row_bytes();
+      Bytes filled;
+      if (row + table.chunk_rows > rows.count) {
+        filled.assign(first, data + std::size_t(rows.count) * table.row_bytes());
+        filled.resize(table.chunk_bytes());
+        first = filled.data();
+      }
+      if (layout.compressed) {
+        chunks.push_back(compressed(first, table));
+      } else {
+        chunks.emplace_back(first, first + table.chunk_bytes());
+      }
+    }
+  }
+  return block;
+}
+
+}  // namespace bodyline::explore

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "explore/variant_evaluator.hpp"
+#include "explore/variant_rows.hpp"
+#include "explore/variant_source.hpp"
+
+namespace bodyline::explore {
+
+/// What a study will take.
+struct StudyEstimate {
+  std::uint64_t variants = 0;
+  double seconds_per_variant = 0.0;  ///< on one thread
+  double bytes_per_variant = 0.0;    ///< in the store
+  VariantRows tried;                 ///< the first, the middle and the last variant
+};
+
+/// Tries three variants, and these a few times more for the time they take.
+StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan,
+                             const VariantSource& source);
+
+}  // namespace bodyline::explore

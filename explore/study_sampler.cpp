@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "explore/sampler_kind.hpp"
+#include "explore/study_tables.hpp"
+
+namespace bodyline::explore {
+namespace {
+
+using io::FileTable;
+
+constexpr std::int64_t most_variants = 1'000'000'000'000;
+constexpr std::int64_t most_levels = 1'000'000;
+
+SamplerKind kind_of(const FileTable& table) {
+  try {
+    return sampler_kind(table.text("kind"));
+  } catch (const std::invalid_argument& error) {
+    table.fail("kind", std::string(error.what()) + ".");
+  }
+}
+
+// The keys that a kind of sampler needs, and those that it may have.
+struct SamplerKeys {
+  std::set<std::string> needed, allowed;
+};
+
+SamplerKeys keys_of(SamplerKind kind) {
+  switch (kind) {
+    case SamplerKind::factorial:
+    case SamplerKind::one_at_a_time:
+      return {{"levels"}, {}};
+    case SamplerKind::sobol:
+    case SamplerKind::halton:
+      return {{"count"}, {"seed", "scrambled"}};
+    case SamplerKind::latin:
+    case SamplerKind::latin_maximin:
+    case SamplerKind::random:
+      return {{"count"}, {"seed"}};
+    case SamplerKind::star:
+      return {};
+    case SamplerKind::list:
+      return {{"file"}, {}};
+    case SamplerKind::morris:
+      return {{"trajectories", "levels"}, {"seed"}};
+    case SamplerKind::saltelli:
+      return {{"count"}, {"seed", "scrambled", "second_order"}};
+  }
+  return {};
+}
+
+void check_keys(const FileTable& table, SamplerKind kind) {
+  const SamplerKeys keys = keys_of(kind);
+  const std::string name = sampler_name(kind);
+  for (const char* key :
+       {"count", "seed", "levels", "trajectories", "scrambled", "second_order", "file"}) {
+    const bool needed = keys.needed.count(key) > 0;
+    if (needed && !table.has(key))
+      table.fail(key, "is missing; the sampler " + name + " needs it.");
+    if (!needed && keys.allowed.count(key) == 0 && table.has(key))
+      table.fail(key, "is nothing that the sampler " + name + " has.");
+  }
+}
+
+}  // namespace
+
+void read_sampler(const FileTable& root, Study& study) {
+  const auto table = root.find_table("sampler");
+  if (!table) root.fail("sampler", "is missing; it says which variants are measured.");
+  table->allow_only(
+      {"kind", "count", "seed", "levels", "trajectories", "scrambled", "second_order", "file"},
+      "a sampler");
+  SamplerSpec& sampler = study.sampler;
+  sampler.kind = kind_of(*table);
+  check_keys(*table, sampler.kind);
+  const auto whole = [&](const char* key, std::int64_t least, std::int64_t most,
+                         std::int64_t otherwise) {
+    return table->has(key) ? table->whole(key, least, most) : otherwise;
+  };
+  sampler.count = std::uint64_t(whole("count", 1, most_variants, 0));
+  sampler.seed = std::uint64_t(whole("seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
+  sampler.levels = int(whole("levels", 2, most_levels, 0));
+  sampler.trajectories = int(whole("trajectories", 1, most_levels, 0));
+  sampler.scrambled = table->flag_or("scrambled", true);
+  sampler.second_order = table->flag_or("second_order", false);
+  sampler.file = table->text_or("file", "");
+  if (sampler.kind == SamplerKind::morris && sampler.levels % 2 != 0)
+    table->fail("levels", "must be even for Morris's steps of half the range.");
+}
+
+}  // namespace bodyline::explore

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "explore/study.hpp"
+#include "io/model_file_table.hpp"
+
+/// The parts of a study's file. Each throws io::InputError.
+namespace bodyline::explore {
+
+void read_variables(const io::FileTable& root, Study& study);
+void read_metrics(const io::FileTable& root, Study& study);
+void read_constraints(const io::FileTable& root, Study& study);
+void read_sampler(const io::FileTable& root, Study& study);
+
+}  // namespace bodyline::explore

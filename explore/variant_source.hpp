@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "explore/design_space.hpp"
+#include "explore/sampler.hpp"
+
+namespace bodyline::explore {
+
+/// The values of all variants of a study that are known before any is measured. Safe to use from
+/// several threads. (What chooses variants by the results of others, an optimizer, appends to the
+/// store itself.)
+class VariantSource {
+ public:
+  virtual ~VariantSource() = default;
+  virtual std::uint64_t size() const = 0;
+  /// Values of variants first to first + count - 1, one row per variant.
+  virtual void values(std::uint64_t first, int count, std::span<double> rows) const = 0;
+};
+
+/// What the study's sampler says. `space` must outlive it. Throws std::invalid_argument where the
+/// sampler does not suit the space, and io::InputError for a list that cannot be read.
+std::unique_ptr<VariantSource> make_source(const Study& study, const DesignSpace& space);
+
+}  // namespace bodyline::explore

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "optimize/fit_target.hpp"
+#include "optimize/net_rows.hpp"
+
+namespace bodyline::optimize {
+
+/// Quantities of a body that a fit keeps within bounds, by the method of multipliers: what a round
+/// leaves over shifts the bounds of the next. So they hold to any accuracy in the end although no
+/// weight is large.
+class BoundedTarget : public FitTarget {
+ public:
+  void match(const double* nets, const FitRound& round) override;
+  model::WeightedNetTerm term() const override { return {term_, 1.0}; }
+  double distance() const override { return largest_excess_; }
+  double misfit() const override { return largest_excess_; }
+
+ protected:
+  BoundedTarget(const model::BodyPlan& plan, model::Stage stage)
+      : term_(std::make_shared<NetRows>(plan, stage)) {}
+  /// The quantities at the nets, with their derivatives; always the same ones in the same order.
+  virtual std::vector<NetRow> measure(const double* nets) = 0;
+
+ private:
+  std::shared_ptr<NetRows> term_;
+  std::vector<double> shifts_;
+  double largest_excess_ = 0.0;
+};
+
+}  // namespace bodyline::optimize

@@ -1,0 +1,104 @@
+#include "optimize/fit_rounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/build.hpp"
+#include "model/check_fold.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+// From round to round of unfolding.
+constexpr double fold_growth = 10.0;
+constexpr double fold_cosine_step = 0.1;
+constexpr double rims_decay = 0.5;  // a rim that the scan does not show well may be what folds
+
+// Scales shrink geometrically from the first round to the last.
+double scale_of(double first, double last, int round, int rounds) {
+  const double share = rounds > 1 ? double(round) / (rounds - 1) : 1.0;
+  return first * std::pow(last / first, share);
+}
+
+std::vector<std::string> find_folded_faces(const model::Model& model) {
+  std::vector<std::string> names;
+  for (const model::Stage stage : {model::Stage::base, model::Stage::body}) {
+    for (const model::Surface& face : model::build(model, stage, model::Halves::left_and_central)) {
+      if (!model::check_fold(face).folded) continue;
+      names.push_back(face.name + (stage == model::Stage::base ? " (whole patch)" : ""));
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+FitPhase FitRounds::phase(model::Stage stage, std::vector<std::string> vary, double bending,
+                          int evaluations) const {
+  FitPhaseOptions phase;
+  phase.stage = stage;
+  phase.detail = stage == model::Stage::body ? FitDetail::fine : FitDetail::coarse;
+  phase.vary = std::move(vary);
+  phase.bounds = options_->bounds;
+  phase.bending = bending;
+  phase.stay = options_->stay;
+  phase.evaluations = evaluations;
+  phase.algorithm = options_->algorithm;
+  phase.should_stop = options_->should_stop;
+  return FitPhase(model_, *targets_, phase);
+}
+
+void FitRounds::one_round(FitPhase& phase, const std::string& name, int index, int rounds,
+                          const FitRound& round) {
+  const FitPhase::Outcome outcome = phase.run(round);
+  status_ = outcome.status;
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  history_.push_back({name, index + 1, rounds, outcome.distance, seconds});
+  if (tells && options_->on_progress) options_->on_progress(history_.back());
+}
+
+void FitRounds::run(FitPhase& phase, const std::string& name, int rounds, double first,
+                    double last) {
+  FitRound round{{first, 0.0}, options_->fold, {}, 8, options_->rims};
+  for (int k = 0; k < rounds && !stopped(); ++k) {
+    round.reach.normal = scale_of(first, last, k, rounds);
+    round.reach.rim = std::max(options_->rim_near, 2.0 * round.reach.normal);
+    one_round(phase, name, k, rounds, round);
+  }
+  model_ = phase.model();
+  misfit_ = phase.misfit(round);
+}
+
+// Keeps the round with the fewest folds.
+void FitRounds::unfold(FitPhase& phase) {
+  folded_faces_ = find_folded_faces(model_);
+  FitRound round{{options_->near, options_->rim_near}, options_->fold, {}, 16, options_->rims};
+  for (int k = 0; k < options_->unfold_rounds && !folded_faces_.empty() && !stopped(); ++k) {
+    round.fold_weight *= fold_growth;
+    round.fold.cosine += fold_cosine_step;
+    round.rims *= rims_decay;
+    one_round(phase, "unfold", k, options_->unfold_rounds, round);
+    const model::Model model = phase.model();
+    std::vector<std::string> folded = find_folded_faces(model);
+    if (folded.size() >= folded_faces_.size()) continue;
+    model_ = model;
+    folded_faces_ = std::move(folded);
+  }
+}
+
+void FitRounds::approach() {
+  const double middle = std::sqrt(options_->far * options_->near);
+  FitPhase warp = phase(model::Stage::base, {}, 0.0, 60);
+  run(warp, "warp", options_->warp_rounds, options_->far, 2.0 * middle);
+  FitPhase curves = phase(model::Stage::base, {"curve.*"}, options_->bending, 100);
+  run(curves, "curves", options_->curve_rounds, 2.0 * middle, middle);
+}
+
+void FitRounds::refine() {
+  FitPhase body = phase(model::Stage::body, {"*"}, options_->bending, 150);
+  run(body, "body", options_->body_rounds, std::sqrt(options_->far * options_->near),
+      options_->near);
+  unfold(body);
+}
+
+}  // namespace bodyline::optimize

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "model/silhouette.hpp"
+#include "optimize/outline_samples.hpp"
+#include "optimize/robust_pulls.hpp"
+#include "optimize/scan_match.hpp"
+#include "optimize/scan_term.hpp"
+
+namespace bodyline::optimize {
+
+/// How an outline is matched with a silhouette.
+struct OutlineMatching {
+  PullReach reach;
+  bool from_drawing =
+      true;               ///< pulls by the drawing's points, from their nearest of the silhouette
+  bool from_body = true;  ///< pulls by the silhouette's points, to their nearest of the drawing
+};
+
+/// Matches of points of silhouettes, and what pulls at them in the picture; see ScanTerm.
+struct OutlinePulls {
+  std::vector<Match> matches;
+  std::vector<MatchPull> pulls;
+  std::vector<double> distances;  ///< of the drawing's points from the silhouette, mm, signed
+};
+
+/// Matches an outline both ways with the silhouette `pieces` of a body in the outline's view. The
+/// motion of a silhouette along its picture normal is n . dS at fixed (u, v) (docs/mathematics.md,
+/// section 9), so its points pull like those of a scan whose normals lie in the picture. Weights
+/// are after Geman and McClure, per length of outline, and fall with the angle between normals.
+OutlinePulls match_outline(const model::SilhouetteBody& body,
+                           const std::vector<model::SilhouetteCurve>& pieces,
+                           const OutlineSamples& samples, const OutlineMatching& matching);
+
+}  // namespace bodyline::optimize

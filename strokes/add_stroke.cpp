@@ -1,0 +1,60 @@
+#include "strokes/add_stroke.hpp"
+
+#include <algorithm>
+
+#include "strokes/coons_shape.hpp"
+#include "strokes/insert_line.hpp"
+#include "strokes/piece_line.hpp"
+
+namespace bodyline::strokes {
+namespace {
+
+// Strokes that begin and end on curves keep one line unless it is far off: any line is a legal
+// pre-image.
+std::vector<SampleRange> pieces(const PlacedStroke& stroke, const StrokeOptions& options) {
+  const bool snapped = stroke.front_hit && stroke.back_hit;
+  const SampleRange whole{0, stroke.places.size() - 1};
+  if (snapped && bulge(stroke.places, whole).distance <= options.loose_straightness) return {whole};
+  return straight_pieces(stroke.places, options.straightness);
+}
+
+// The next piece begins where the line of this one passes its last sample.
+void insert(NetEdit& edit, PlacedStroke stroke, int number, const StrokeOptions& options,
+            StrokeOutcome& outcome) {
+  const std::vector<SampleRange> ranges = pieces(stroke, options);
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const bool front_on_edge = k > 0 || stroke.front_hit;
+    const bool back_on_edge = k + 1 == ranges.size() && stroke.back_hit;
+    const PieceLine line = piece_line(edit.net(), stroke, ranges[k], front_on_edge, back_on_edge);
+    const LineResult result = insert_line(edit, line.from, line.to, line.curve, number);
+    stroke.places[ranges[k].last] = place_on(result, line.back);
+    ++outcome.lines;
+    outcome.ends_extended += line.extended;
+    outcome.patches_split += result.patches_split;
+    outcome.curves_moved += result.curves_moved;
+    outcome.largest_move_mm = std::max(outcome.largest_move_mm, result.largest_move);
+  }
+}
+
+}  // namespace
+
+StrokeOutcome add_stroke(SurfaceModel& surface, const model::Stroke& stroke, int number,
+                         const StrokeOptions& options) {
+  StrokeOutcome outcome;
+  outcome.name = stroke.name;
+  try {
+    NetEdit edit(surface.net);
+    const PlacedStroke placed = placed_stroke(surface, stroke.points, options.threshold_mm);
+    outcome.points_trimmed = placed.trimmed;
+    insert(edit, placed, number, options, outcome);
+    surface.index.update(surface.net, touched_patches(edit), edit.moved_edges());
+    edit.commit();
+  } catch (const StrokeRejected& rejected) {
+    outcome = {};
+    outcome.name = stroke.name;
+    outcome.rejection = rejected.rejection();
+  }
+  return outcome;
+}
+
+}  // namespace bodyline::strokes

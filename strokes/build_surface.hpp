@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/stroke.hpp"
+#include "strokes/surface_model.hpp"
+
+namespace bodyline::strokes {
+
+struct BuildOptions {
+  /// Names or patterns of the strokes that make up the boundary. When empty, strokes whose names
+  /// begin with "boundary" in upper or lower case are, and where there are none it is found.
+  std::vector<std::string> boundary;
+  /// Points closer are one, ends closer to a curve are on it, mm; one two-hundredth of the diagonal
+  /// of all points when absent.
+  std::optional<double> threshold_mm;
+};
+
+/// How the boundary was made.
+struct BoundaryReport {
+  std::vector<std::string> strokes;  ///< in the order of the loop
+  bool found = false;                ///< rather than named
+  double largest_gap_mm = 0.0;       ///< closed at a corner
+  int crossings = 0;                 ///< corners where strokes cross and were trimmed
+  int sides = 0;                     ///< after merging
+};
+
+/// A surface made of strokes.
+struct SurfaceBuild {
+  SurfaceModel surface;
+  BoundaryReport boundary;
+  double threshold_mm = 0.0;
+  std::vector<StrokeOutcome> outcomes;  ///< of all strokes inside the boundary, in their order
+};
+
+/// Makes the base surface of the strokes of the boundary and inserts the others one after the
+/// other. Throws std::invalid_argument when there is no boundary of three or more usable strokes.
+SurfaceBuild build_surface(const std::vector<model::Stroke>& strokes,
+                           const BuildOptions& options = {});
+
+}  // namespace bodyline::strokes

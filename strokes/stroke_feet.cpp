@@ -1,0 +1,92 @@
+#include "strokes/stroke_feet.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "strokes/coons_shape.hpp"
+#include "strokes/snap_end.hpp"
+
+namespace bodyline::strokes {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// An end whose way to its foot points out of the surface by more than this sine lies outside.
+constexpr double outside_sine = 1e-3;
+constexpr double at_end = 1e-9;  // of a parameter
+
+FootPoint foot_of(const SurfaceModel& surface, const Vector3d& point) {
+  const auto foot = surface.index.foot_point(surface.net, point);
+  if (!foot || !foot->place.allFinite()) throw StrokeRejected(Rejection::no_foot_point);
+  return *foot;
+}
+
+bool is_outer_side(const Net& net, const Patch& patch, int shape_side) {
+  const int side = patch_side(patch, shape_side);
+  if (side < 0) return false;
+  const auto& uses = patch.sides[side];
+  return std::any_of(uses.begin(), uses.end(),
+                     [&](const EdgeUse& use) { return is_outer(net.edges[use.edge]); });
+}
+
+// Whether the way from the foot on a side to the end leads out of the surface. `along` and `across`
+// are the derivatives there, `across` outwards.
+bool leads_out(const Vector3d& way, const Vector3d& along, const Vector3d& across) {
+  const double squared = along.squaredNorm();
+  if (squared == 0.0) return false;
+  const Vector3d outwards = across - across.dot(along) / squared * along;
+  return outwards.norm() > 0.0 && way.dot(outwards.normalized()) > outside_sine * way.norm();
+}
+
+void refuse_outside(const Net& net, const FootPoint& foot, const Vector3d& end) {
+  const Patch& patch = net.patches[foot.patch];
+  const PatchJet jet = patch.shape->jet(foot.st);
+  const Vector3d way = end - foot.point;
+  const bool at[4] = {foot.st[1] <= at_end, foot.st[0] >= 1.0 - at_end, foot.st[1] >= 1.0 - at_end,
+                      foot.st[0] <= at_end};
+  for (int side = 0; side < 4; ++side) {
+    if (!at[side] || !is_outer_side(net, patch, side)) continue;
+    const bool runs_in_s = side % 2 == 0;
+    const double sign = side == 0 || side == 3 ? -1.0 : 1.0;
+    if (leads_out(way, runs_in_s ? jet.s : jet.t, sign * (runs_in_s ? jet.t : jet.s)))
+      throw StrokeRejected(Rejection::end_outside);
+  }
+}
+
+Vector2d end_place(const SurfaceModel& surface, const std::optional<EndHit>& hit,
+                   const Vector3d& end) {
+  if (hit) return hit->place;
+  const FootPoint foot = foot_of(surface, end);
+  refuse_outside(surface.net, foot, end);
+  return foot.place;
+}
+
+Points usable(const Points& points, double threshold) {
+  if (!all_finite(points)) throw StrokeRejected(Rejection::not_finite);
+  const Points kept = filtered(points, threshold);
+  if (kept.size() < 2 || polyline_length(kept) == 0.0)
+    throw StrokeRejected(Rejection::too_few_points);
+  if ((kept.front() - kept.back()).norm() < threshold) throw StrokeRejected(Rejection::closed);
+  return kept;
+}
+
+}  // namespace
+
+PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, double threshold) {
+  const Points kept = usable(points, threshold);
+  const Points backwards(kept.rbegin(), kept.rend());
+  const auto front = snap_end(surface.net, surface.index, kept, threshold);
+  const auto back = snap_end(surface.net, surface.index, backwards, threshold);
+  PlacedStroke stroke{trimmed(kept, front, back), {}, front.has_value(), back.has_value(), 0};
+  if (stroke.points.size() < 2) throw StrokeRejected(Rejection::nothing_left);
+  for (const auto& hit : {front, back})
+    if (hit) stroke.trimmed += static_cast<int>(hit->segment) + (hit->part > 0.0 ? 1 : 0);
+  stroke.places.push_back(end_place(surface, front, stroke.points.front()));
+  for (std::size_t k = 1; k + 1 < stroke.points.size(); ++k)
+    stroke.places.push_back(foot_of(surface, stroke.points[k]).place);
+  stroke.places.push_back(end_place(surface, back, stroke.points.back()));
+  return stroke;
+}
+
+}  // namespace bodyline::strokes

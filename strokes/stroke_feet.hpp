@@ -1,0 +1,20 @@
+#pragma once
+
+#include "strokes/points.hpp"
+#include "strokes/surface_model.hpp"
+
+namespace bodyline::strokes {
+
+/// A filtered stroke over a surface.
+struct PlacedStroke {
+  Points points;                        ///< between the curves it begins and ends on
+  std::vector<Eigen::Vector2d> places;  ///< of each point: its foot point, or where it is snapped
+  bool front_hit = false, back_hit = false;
+  int trimmed = 0;  ///< points lost at both ends
+};
+
+/// Filters a stroke and finds its ends and foot points on the surface (section 3, steps 1, 2, 6).
+/// Throws StrokeRejected when it has no two points, is closed, or ends outside the boundary.
+PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, double threshold);
+
+}  // namespace bodyline::strokes

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/stroke.hpp"
+#include "strokes/net.hpp"
+#include "strokes/rejection.hpp"
+#include "strokes/surface_index.hpp"
+
+namespace bodyline::strokes {
+
+/// Lengths of the domain and in space by which strokes are judged.
+struct StrokeOptions {
+  double threshold_mm = 0.0;         ///< points closer are one; ends closer to a curve are on it
+  double straightness = 0.02;        ///< farthest a pre-image may lie from its line, of the domain
+  double loose_straightness = 0.15;  ///< the same for strokes that begin and end on curves
+};
+
+/// What became of a stroke.
+struct StrokeOutcome {
+  std::string name;
+  Rejection rejection = Rejection::none;
+  int lines = 0;  ///< straight pieces of its pre-image
+  int patches_split = 0;
+  int curves_moved = 0;  ///< earlier curves and vertices that gave way to it
+  double largest_move_mm = 0.0;
+  int ends_extended = 0;   ///< ends, of all pieces, that lay inside a patch
+  int points_trimmed = 0;  ///< beyond the curves it begins and ends on
+};
+
+/// A surface that grows stroke by stroke.
+struct SurfaceModel {
+  Net net;
+  SurfaceIndex index;
+
+  explicit SurfaceModel(Net start) : net(std::move(start)), index(net) {}
+};
+
+}  // namespace bodyline::strokes

@@ -1,0 +1,81 @@
+// Dimensions and hard points on the command line of fit.
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "cli/bounds_options.hpp"
+#include "tests/cli/program_run.hpp"
+
+namespace bodyline {
+namespace {
+
+using ::testing::HasSubstr;
+
+class BoundsOptions : public testing::CommandLine {
+ protected:
+  std::string scan() {
+    const auto run =
+        bodyline({"scan", car("model2"), "-o", "scan.ply", "--points", "5000", "--overwrite"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return "scan.ply";
+  }
+  std::string refusal(const std::vector<std::string>& options) {
+    std::vector<std::string> words{"fit", scan(), "-o", "out.toml", "--overwrite"};
+    words.insert(words.end(), options.begin(), options.end());
+    const auto run = bodyline(words);
+    EXPECT_EQ(run.exit_code, 2);
+    return run.err;
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(file(name)) << text;
+  }
+};
+
+TEST(DimensionBound, OneNumberFixesTwoBound) {
+  const auto fixed = cli::dimension_bound_from_text("length=4500");
+  EXPECT_EQ(fixed.name, "length");
+  EXPECT_EQ(fixed.lower, 4500.0);
+  EXPECT_EQ(fixed.upper, 4500.0);
+  const auto bounded = cli::dimension_bound_from_text("rake.windshield=58:62.5");
+  EXPECT_EQ(bounded.name, "rake.windshield");
+  EXPECT_EQ(bounded.lower, 58.0);
+  EXPECT_EQ(bounded.upper, 62.5);
+}
+
+TEST(DimensionBound, WhatIsNoBoundIsRefused) {
+  for (const char* text :
+       {"length", "length=", "length=a", "length=1:", "length=nan", "length=1:2:3"})
+    EXPECT_THROW(cli::dimension_bound_from_text(text), std::invalid_argument) << text;
+}
+
+TEST_F(BoundsOptions, AreKeptAndReported) {
+  write("points.csv", "# package\n2000, -300, 900, inside, 20\n");
+  const auto report = json({"fit", scan(), "-o", "out.toml", "--pose", "none", "--dimension",
+                            "length=4760", "--hard-points", "points.csv", "--json"});
+  const auto& length = report.at("dimensions").at("length");
+  EXPECT_NEAR(length.at("value").get<double>(), 4760.0, 1.0);
+  EXPECT_EQ(length.at("lower"), 4760.0);
+  EXPECT_LT(report.at("hard_points").at(0).at("distance_mm").get<double>(), -19.0);
+}
+
+TEST_F(BoundsOptions, AnUnknownDimensionIsRefusedWithTheNearest) {
+  EXPECT_THAT(refusal({"--dimension", "lenth=4000"}), HasSubstr("the nearest is 'length'"));
+}
+
+TEST_F(BoundsOptions, BadHardPointsAreRefusedWithFileAndLine) {
+  write("a.csv", "1 2 3 inside\n1 2 x inside\n");
+  EXPECT_THAT(refusal({"--hard-points", "a.csv"}),
+              HasSubstr("a.csv:2: \"x\" is not a finite number"));
+  write("b.csv", "1 2 3 beside\n");
+  EXPECT_THAT(refusal({"--hard-points", "b.csv"}), HasSubstr("\"beside\" is no rule"));
+  write("c.csv", "1 2 3 inside -4\n");
+  EXPECT_THAT(refusal({"--hard-points", "c.csv"}), HasSubstr("must not be negative"));
+  write("d.csv", "1 2 3 inside 4 5\n");
+  EXPECT_THAT(refusal({"--hard-points", "d.csv"}), HasSubstr("there is more"));
+  write("e.csv", "# nothing\n");
+  EXPECT_THAT(refusal({"--hard-points", "e.csv"}), HasSubstr("has no hard points"));
+}
+
+}  // namespace
+}  // namespace bodyline

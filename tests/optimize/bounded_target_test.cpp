@@ -1,0 +1,138 @@
+// Dimensions and hard points that a fit must keep.
+
+#include <gtest/gtest.h>
+
+#include "io/read_model.hpp"
+#include "model/evaluator.hpp"
+#include "optimize/dimension_target.hpp"
+#include "optimize/fit_scan.hpp"
+#include "optimize/hard_point_target.hpp"
+#include "optimize/net_rows.hpp"
+#include "optimize/scan_fit_target.hpp"
+#include "optimize/simulate_scan.hpp"
+
+namespace bodyline::optimize {
+namespace {
+
+constexpr double held_mm = 0.5;  // what the last round leaves over, far below a scan's own distance
+
+model::Model read_car(const std::string& name) {
+  return io::read_model(BODYLINE_SOURCE_DIR "/cars/" + name + ".toml");
+}
+
+model::Scan scan_of(const model::Model& car) {
+  SimulateOptions scanner;
+  scanner.points = 8000;
+  scanner.noise_mm = 1.0;
+  return simulate_scan(car, scanner);
+}
+
+FitOptions short_fit() {
+  FitOptions options;
+  options.coarse_points = options.fine_points = 4000;
+  options.warp_rounds = options.curve_rounds = 5;
+  options.body_rounds = 12;
+  options.unfold_rounds = 0;
+  return options;
+}
+
+double measured(const model::Model& car, const std::string& name) {
+  const auto context = std::make_shared<model::BodyContext>(car);
+  model::EvaluatorOptions options;
+  options.stage = model::Stage::body;
+  model::Evaluator evaluator(context, {}, options);
+  evaluator.build(Eigen::VectorXd(0));
+  const model::DimensionMeter meter(car, context->plan, options.stage);
+  return meter.measure(model::dimension_of(car, name), evaluator.nets()).value;
+}
+
+// The signed distance of a point from a body, outside positive.
+double distance_from(const model::Model& car, const Eigen::Vector3d& point) {
+  const auto context = std::make_shared<model::BodyContext>(car);
+  model::EvaluatorOptions options;
+  options.stage = model::Stage::body;
+  model::Evaluator evaluator(context, {}, options);
+  evaluator.build(Eigen::VectorXd(0));
+  model::Scan scan;
+  scan.points = {point};
+  return ScanMatcher(context->plan, options.stage, scan).match(evaluator.nets()).front().distance;
+}
+
+TEST(DimensionTarget, HoldsWhatTheScanWouldHaveOtherwise) {
+  const model::Model start = read_car("template"), truth = read_car("model2");
+  const model::Scan scan = scan_of(truth);
+  const double length = measured(truth, "length") + 25.0, rake = measured(truth, "rake.windshield");
+  const auto fitted = fit_body(
+      {scan_fit_target(scan, {}, 4000, 4000),
+       dimension_target(start,
+                        {{"length", length, length}, {"rake.windshield", rake + 1.0, rake + 5.0}})},
+      start, short_fit());
+  EXPECT_NEAR(measured(fitted.model, "length"), length, held_mm);
+  EXPECT_GT(measured(fitted.model, "rake.windshield"), rake + 0.9);
+}
+
+TEST(DimensionTarget, ABoundThatHoldsAnywayChangesNothing) {
+  const model::Model start = read_car("template"), truth = read_car("model2");
+  const model::Scan scan = scan_of(truth);
+  const auto with = fit_body(
+      {scan_fit_target(scan, {}, 4000, 4000), dimension_target(start, {{"height", 100.0, 9000.0}})},
+      start, short_fit());
+  const auto without = fit_body({scan_fit_target(scan, {}, 4000, 4000)}, start, short_fit());
+  for (std::size_t c = 0; c < with.model.curves.size(); ++c)
+    EXPECT_EQ(with.model.curves[c].points, without.model.curves[c].points);
+}
+
+TEST(DimensionTarget, RefusesBoundsInTheWrongOrder) {
+  EXPECT_THROW(dimension_target(read_car("template"), {{"length", 2.0, 1.0}}),
+               std::invalid_argument);
+}
+
+TEST(HardPointTarget, TheSurfacePassesThroughAndKeepsClear) {
+  const model::Model start = read_car("template"), truth = read_car("model2");
+  const model::Scan scan = scan_of(truth);
+  // Of the car's own roof, hood and side: one to pass through, one to contain, one to keep out.
+  Eigen::Vector3d high = scan.points.front(), side = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : scan.points) {
+    if (point.z() > high.z()) high = point;
+    // Away from the sill, where the surface turns back under the car.
+    const bool on_door = point.z() > 550.0 && std::abs(point.x() - 2200.0) < 400.0;
+    if (on_door && point.y() < side.y()) side = point;
+  }
+  const std::vector<HardPoint> points{
+      {high + Eigen::Vector3d(0, 0, 8), HardPointRule::through},
+      {high + Eigen::Vector3d(-500, 0, -5), HardPointRule::inside, 20.0},
+      {side + Eigen::Vector3d(0, 3, 0), HardPointRule::outside, 10.0}};
+  const auto fitted = fit_body({scan_fit_target(scan, {}, 4000, 4000), hard_point_target(points)},
+                               start, short_fit());
+  EXPECT_NEAR(distance_from(fitted.model, points[0].point), 0.0, held_mm);
+  EXPECT_LT(distance_from(fitted.model, points[1].point), -20.0 + held_mm);
+  EXPECT_GT(distance_from(fitted.model, points[2].point), 10.0 - held_mm);
+}
+
+TEST(HardPointTarget, RefusesWhatIsNoPointOrNoMargin) {
+  EXPECT_THROW(hard_point_target({{{NAN, 0, 0}}}), std::invalid_argument);
+  EXPECT_THROW(hard_point_target({{{0, 0, 0}, HardPointRule::inside, -1.0}}),
+               std::invalid_argument);
+}
+
+// value, adjoint and residual form of rows above, below and inside of their bounds.
+TEST(NetRows, FormsAgree) {
+  const auto context = std::make_shared<model::BodyContext>(read_car("template"));
+  NetRows rows(context->plan, model::Stage::base);
+  rows.set({{{{0, 2.0}, {4, -1.0}}, 1.0, -5.0, 0.5},
+            {{{1, 1.0}}, 0.0, 7.0, 9.0},
+            {{{2, 3.0}}, 0.0, -100.0, 100.0}});
+  std::vector<double> nets(3 * context->plan.point_count, 0.0);
+  nets[0] = 1.5, nets[1] = 2.0, nets[2] = 1.0, nets[4] = 0.25;
+  Eigen::VectorXd r(rows.residual_count());
+  model::NetTerm::Jacobian jacobian;
+  rows.residuals(nets.data(), r, &jacobian);
+  EXPECT_EQ(r, Eigen::Vector3d(3.25, -5.0, 0.0));
+  std::vector<double> bar(nets.size(), 0.0);
+  EXPECT_DOUBLE_EQ(rows.value(nets.data(), 0.5, bar.data()), r.squaredNorm());
+  const Eigen::VectorXd expected = jacobian.transpose() * r;
+  EXPECT_EQ(Eigen::Map<Eigen::VectorXd>(bar.data(), Eigen::Index(bar.size())), expected);
+}
+
+}  // namespace
+}  // namespace bodyline::optimize
