@@ -14,8 +14,8 @@ std::string example(const std::string& name) {
   return BODYLINE_SOURCE_DIR "/examples/" + name + ".toml";
 }
 
-class ChainFileOf : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Examples, ChainFileOf, testing::Values("hull", "pair", "headlight"),
+class ChainFileOf : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Examples, ChainFileOf, ::testing::Values("hull", "pair", "headlight"),
                          [](const auto& at) { return std::string(at.param); });
 
 TEST_P(ChainFileOf, ComesBackBitForBit) {
@@ -51,10 +51,10 @@ struct Mistake {
   const char* words;
 };
 
-class BadChainFile : public testing::TestWithParam<Mistake> {};
+class BadChainFile : public ::testing::TestWithParam<Mistake> {};
 INSTANTIATE_TEST_SUITE_P(
     Mistakes, BadChainFile,
-    testing::Values(
+    ::testing::Values(
         Mistake{"family", "hull", "\"h-bezier\"", "\"hbezier\"", "family",
                 "known are ge-bezier, bezier-like, h-bezier"},
         Mistake{"no_theorem", "hull", "\"h-bezier\"", "\"ge-bezier\"", "patches.bow",
@@ -88,7 +88,7 @@ TEST_P(BadChainFile, IsRefusedWithItsKeyAndWhatIsAllowed) {
     FAIL();
   } catch (const io::InputError& error) {
     EXPECT_EQ(error.key(), GetParam().key);
-    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().words));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().words));
     EXPECT_GT(error.line(), 0);
   }
 }
