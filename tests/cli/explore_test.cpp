@@ -199,6 +199,13 @@ TEST_F(Explore, AnOptimizerCanBeCheckedAndResumed) {
   }
 }
 
+TEST_F(Explore, TheExamplesAreStudies) {
+  for (const std::string name : {"sweep", "family", "pareto"}) {
+    const std::string path = std::string(BODYLINE_SOURCE_DIR) + "/examples/" + name + ".toml";
+    EXPECT_EQ(json({"explore", path, "--check", "--json"})["study"], name);
+  }
+}
+
 TEST_F(Explore, DrawsPlots) {
   explore();
   for (const std::string name : {"a.png", "a.svg"}) {
