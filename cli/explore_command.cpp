@@ -14,7 +14,8 @@
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
 #include "explore/read_study.hpp"
-#include "explore/run_study.hpp"
+#include "explore/run_optimizer.hpp"
+#include "explore/tuned_source.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -36,20 +37,29 @@ void check_request(const Request& request) {
   if (!request.resume) check_output(request.output, request.study, {".h5", ".hdf5"});
 }
 
-explore::StoreWriter open_store(const Request& request, const explore::VariantPlan& plan,
-                                const explore::VariantSource& source) {
+using Plan = std::shared_ptr<const explore::VariantPlan>;
+
+explore::StoreWriter open_store(const Request& request, const Plan& plan) {
   if (request.resume)
-    return explore::StoreWriter::resume(request.output.path, plan.study, request.store);
-  return explore::StoreWriter::create(request.output.path, plan.study, plan.space, source.size(),
-                                      request.output.overwrite, request.store);
+    return explore::StoreWriter::resume(request.output.path, plan->study, request.store);
+  return explore::StoreWriter::create(request.output.path, plan->study, plan->space,
+                                      explore::planned_rows(plan), request.output.overwrite,
+                                      request.store);
 }
 
-explore::RunProgress run_plan(Context& context, const Request& request,
-                              const std::shared_ptr<const explore::VariantPlan>& plan,
-                              const explore::VariantSource& source) {
+explore::RunProgress make_rows(const Request& request, const Plan& plan,
+                               explore::StoreWriter& store, const explore::RunOptions& options) {
+  if (explore::chooses_by_results(plan->study)) {
+    const explore::StoreReader begun(request.output.path);
+    return explore::run_optimizer(plan, store, begun, options);
+  }
+  return explore::run_study(plan, *explore::plan_source(plan), store, options);
+}
+
+explore::RunProgress run_plan(Context& context, const Request& request, const Plan& plan) {
   const Interrupt interrupt;
   Progress progress(context, "exploring");
-  explore::StoreWriter store = open_store(request, *plan, source);
+  explore::StoreWriter store = open_store(request, plan);
   explore::RunOptions options;
   options.threads = request.threads;
   options.should_stop = [&] { return interrupt.requested(); };
@@ -57,7 +67,7 @@ explore::RunProgress run_plan(Context& context, const Request& request,
     progress.update(double(run.done) / double(std::max<std::uint64_t>(1, run.planned)),
                     progress_text(plan->study, run));
   };
-  const explore::RunProgress result = explore::run_study(plan, source, store, options);
+  const explore::RunProgress result = make_rows(request, plan, store, options);
   store.finish();
   return result;
 }
@@ -65,9 +75,8 @@ explore::RunProgress run_plan(Context& context, const Request& request,
 void run(Context& context, const Request& request) {
   check_request(request);
   const auto plan = std::make_shared<explore::VariantPlan>(explore::read_study(request.study));
-  const auto source = explore::make_source(plan->study, plan->space);
   if (request.check) {
-    const explore::StudyEstimate estimate = explore::estimate_study(plan, *source);
+    const explore::StudyEstimate estimate = explore::estimate_study(plan);
     if (request.json) {
       print_json(context, estimate_json(*plan, estimate, request.threads));
     } else {
@@ -75,7 +84,7 @@ void run(Context& context, const Request& request) {
     }
     return;
   }
-  const explore::RunProgress result = run_plan(context, request, plan, *source);
+  const explore::RunProgress result = run_plan(context, request, plan);
   if (request.json) {
     print_json(context, result_json(plan->study, result, request.output.path));
   } else {

@@ -19,9 +19,6 @@ using Clock = std::chrono::steady_clock;
 using RowsPointer = std::shared_ptr<VariantRows>;
 using BlockPointer = std::shared_ptr<EncodedBlock>;
 
-// Variants that one task measures: long enough that handing them over costs nothing, short enough
-// that threads finish together.
-constexpr int task_rows = 64;
 constexpr int tasks_per_thread = 4;  // at a time
 constexpr std::chrono::milliseconds report_period{100};
 // An incomplete block is written when its variants have waited for so long.
@@ -58,7 +55,7 @@ class Line {
     const std::uint64_t block_end =
         (next_ / std::uint64_t(layout_.block_rows) + 1) * std::uint64_t(layout_.block_rows);
     const std::uint64_t end =
-        std::min({next_ + std::uint64_t(task_rows), block_end, source_.size()});
+        std::min({next_ + std::uint64_t(source_.rows_at_a_time()), block_end, source_.size()});
     auto rows = std::make_shared<VariantRows>();
     rows->first = next_;
     rows->count = int(end - next_);
