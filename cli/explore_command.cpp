@@ -14,6 +14,7 @@
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
 #include "explore/read_study.hpp"
+#include "explore/run_ranks.hpp"
 #include "explore/run_study.hpp"
 
 namespace bodyline::cli {
@@ -44,9 +45,10 @@ explore::StoreWriter open_store(const Request& request, const explore::VariantPl
                                       request.output.overwrite, request.store);
 }
 
+// `owner` is null in a run of one process.
 explore::RunProgress run_plan(Context& context, const Request& request,
                               const std::shared_ptr<const explore::VariantPlan>& plan,
-                              const explore::VariantSource& source) {
+                              const explore::VariantSource& source, explore::RankOwner* owner) {
   const Interrupt interrupt;
   Progress progress(context, "exploring");
   explore::StoreWriter store = open_store(request, *plan, source);
@@ -57,12 +59,13 @@ explore::RunProgress run_plan(Context& context, const Request& request,
     progress.update(double(run.done) / double(std::max<std::uint64_t>(1, run.planned)),
                     progress_text(plan->study, run));
   };
-  const explore::RunProgress result = explore::run_study(plan, source, store, options);
+  const explore::RunProgress result = owner ? owner->run(plan, source, store, options)
+                                            : explore::run_study(plan, source, store, options);
   store.finish();
   return result;
 }
 
-void run(Context& context, const Request& request) {
+void run_alone(Context& context, const Request& request, explore::RankOwner* owner) {
   check_request(request);
   const auto plan = std::make_shared<explore::VariantPlan>(explore::read_study(request.study));
   const auto source = explore::make_source(plan->study, plan->space);
@@ -75,13 +78,26 @@ void run(Context& context, const Request& request) {
     }
     return;
   }
-  const explore::RunProgress result = run_plan(context, request, plan, *source);
+  const explore::RunProgress result = run_plan(context, request, plan, *source, owner);
   if (request.json) {
     print_json(context, result_json(plan->study, result, request.output.path));
   } else {
     *context.out << result_text(plan->study, result, request.output.path);
   }
   if (result.done < result.planned) context.exit_code = exit_findings;
+}
+
+// Under mpirun rank 0 speaks and writes; the others measure for it.
+void run(Context& context, const Request& request) {
+  const std::unique_ptr<explore::Ranks> ranks = explore::launched_ranks();
+  if (!ranks || ranks->size() == 1) return run_alone(context, request, nullptr);
+  if (ranks->rank() > 0) {
+    const Interrupt interrupt;
+    return explore::serve_ranks(*ranks, request.threads, [&] { return interrupt.requested(); });
+  }
+  explore::RankOwner owner(*ranks);
+  run_alone(context, request, &owner);
+  context.out->flush();  // mpirun may end the program while the others leave
 }
 
 }  // namespace
