@@ -107,7 +107,7 @@ int parse_and_run(CLI::App& program, int argc, const char* const* argv, Context&
     return program.exit(request, *context.out, *context.err);
   } catch (const CLI::ParseError& error) {
     // Of the ranks of a parallel run the first one says what is wrong.
-    if (explore::launched_rank() > 0 && command_word(argc, argv) == "explore") return exit_unusable;
+    if (explore::launched_rank() > 0 && command_word(argc, argv) == "explore") return exit_fine;
     return fail(context, usage_sentence(program, error, argc, argv));
   }
   context.out->flush();
