@@ -1,4 +1,5 @@
 #include "bench/body_bench.hpp"
+#include "bench/explore_bench.hpp"
 #include "bench/fit_bench.hpp"
 #include "bench/kernel_bench.hpp"
 #include "bench/report.hpp"
@@ -8,5 +9,7 @@ int main(int argc, char** argv) {
   register_kernel_benchmarks();
   register_body_benchmarks();
   register_fit_benchmarks();
-  return run_and_report(argc, argv, {kernel_report(), body_report(), fit_report()});
+  register_explore_benchmarks();
+  return run_and_report(argc, argv,
+                        {kernel_report(), body_report(), fit_report(), explore_report()});
 }

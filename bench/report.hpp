@@ -12,6 +12,7 @@ struct Ratio {
   std::string slow, fast;  ///< names of benchmarks
   double target = 0.0;     ///< 0: none
   bool at_most = false;    ///< the ratio should stay below the target, not above
+  double scale = 1.0;      ///< how many times more work `fast` does
 };
 
 /// A benchmark as a share of the core's FMA peak.
@@ -25,8 +26,17 @@ struct Share {
   double nodes = 0.0;            ///< per iteration, for the column ns/node
 };
 
+/// How often something is done in a second.
+struct Rate {
+  std::string label;
+  std::string name;     ///< of the benchmark
+  double items = 0.0;   ///< per iteration
+  double target = 0.0;  ///< per second; 0: none
+};
+
 struct Report {
   std::vector<Share> shares;
+  std::vector<Rate> rates;
   std::vector<Ratio> ratios;
 };
 

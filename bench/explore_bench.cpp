@@ -1,0 +1,243 @@
+#include "bench/explore_bench.hpp"
+
+#include <benchmark/benchmark.h>
+#include <stdlib.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+#include "bench/peers/store_peers.hpp"
+#include "explore/measure_rows.hpp"
+#include "explore/measure_study.hpp"
+#include "explore/read_study.hpp"
+#include "explore/run_study.hpp"
+
+namespace bodyline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int variants = 10000;  // of a run
+constexpr int one_by_one = 500;  // rows that SQLite makes safe one by one: it is slow
+constexpr int task_rows = 64;    // of the bare loop, as in run_study
+
+// A folder for the life of the program.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "bodyline-bench-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  /// A name that is free.
+  fs::path fresh(const std::string& name) const {
+    for (const auto& entry : fs::directory_iterator(path_)) fs::remove(entry.path());
+    return path_ / name;
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// The study, its variants, and what is measured of them.
+struct Family {
+  explicit Family(bool compressed)
+      : plan(std::make_shared<explore::VariantPlan>(read(compressed))),
+        source(explore::make_source(plan->study, plan->space)) {}
+
+  static explore::Study read(bool compressed) {
+    explore::Study study = explore::read_study(BODYLINE_SOURCE_DIR "/examples/sweep.toml");
+    study.sampler.count = variants;
+    study.keep.compressed = compressed;
+    return study;
+  }
+
+  std::shared_ptr<const explore::VariantPlan> plan;
+  std::unique_ptr<explore::VariantSource> source;
+  Folder folder;
+};
+using FamilyPointer = std::shared_ptr<const Family>;
+
+void add(const std::string& name, const std::function<void()>& work) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [work](benchmark::State& state) {
+                                 for (auto _ : state) work();
+                               })
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+}
+
+explore::StoreWriter new_store(const Family& family) {
+  return explore::StoreWriter::create(family.folder.fresh("a.h5"), family.plan->study,
+                                      family.plan->space, family.source->size(), false);
+}
+
+// The whole of `bodyline explore` but reading the study: a new store, all variants, all on the
+// disk.
+void run_stored(const Family& family, int threads) {
+  explore::StoreWriter store = new_store(family);
+  explore::RunOptions options;
+  options.threads = threads;
+  explore::run_study(family.plan, *family.source, store, options);
+  store.finish();
+}
+
+void run_without_store(const Family& family, int threads) {
+  double sum = 0.0;
+  explore::measure_study(family.plan, *family.source, threads,
+                         [&](const explore::VariantRows& rows) { sum += rows.metrics.front(); });
+  benchmark::DoNotOptimize(sum);
+}
+
+// The bare loop: the same variants by the same evaluators, rows used once and forgotten.
+void run_bare(const Family& family, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  std::size_t(threads));
+  const explore::StoreLayout layout(family.plan->study, family.plan->space);
+  tbb::enumerable_thread_specific<explore::VariantEvaluator> evaluators(
+      [&] { return explore::VariantEvaluator(family.plan); });
+  tbb::task_arena(threads).execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, variants, task_rows), [&](const tbb::blocked_range<int>& range) {
+          const auto rows = explore::measure_range(evaluators.local(), layout, *family.source,
+                                                   std::uint64_t(range.begin()), int(range.size()));
+          benchmark::DoNotOptimize(rows->metrics.front());
+        });
+  });
+}
+
+/// All variants' values beforehand, as pagmo's batch evaluator takes them.
+struct Points {
+  explicit Points(const Family& family)
+      : columns(family.plan->space.columns().size()), values(columns * variants) {
+    for (const explore::Column& column : family.plan->space.columns()) {
+      lower.push_back(column.lower);
+      upper.push_back(column.upper);
+    }
+    family.source->values(0, variants, values);
+  }
+  std::size_t columns;
+  std::vector<double> lower, upper, values;
+};
+
+void run_pagmo(const Family& family, const Points& points, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  std::size_t(threads));
+  tbb::enumerable_thread_specific<explore::VariantEvaluator> evaluators(
+      [&] { return explore::VariantEvaluator(family.plan); });
+  const std::size_t count = family.plan->study.metrics.size();
+  const auto fitness = [&](std::span<const double> point) {
+    double metrics[64];
+    evaluators.local().measure(point, {metrics, count});
+    return metrics[0];
+  };
+  benchmark::DoNotOptimize(pagmo_batch(points.lower, points.upper, points.values, fitness));
+}
+
+void add_runs(const FamilyPointer& plain, const FamilyPointer& compressed) {
+  const auto points = std::make_shared<Points>(*plain);
+  add("explore/two_threads", [=] { run_stored(*compressed, 2); });
+  add("explore/one_thread", [=] { run_stored(*compressed, 1); });
+  add("explore/two_threads/uncompressed", [=] { run_stored(*plain, 2); });
+  add("explore/two_threads/no_store", [=] { run_without_store(*plain, 2); });
+  add("explore/two_threads/bare_tbb_loop", [=] { run_bare(*plain, 2); });
+  add("explore/two_threads/pagmo_thread_bfe", [=] { run_pagmo(*plain, *points, 2); });
+}
+
+/// Measured rows, as the store takes them and as SQLite does.
+struct Measured {
+  explicit Measured(const Family& family) : layout(family.plan->study, family.plan->space) {
+    rows = explore::make_rows(layout, 0, variants);
+    family.source->values(0, variants, rows.values);
+    explore::VariantEvaluator evaluator(family.plan);
+    explore::measure_rows(evaluator, rows);
+    const std::size_t values = rows.values.size() / variants, more = rows.metrics.size() / variants;
+    columns = int(values + more) + 3;
+    for (std::size_t row = 0; row < variants; ++row) {
+      flat.insert(flat.end(), &rows.values[row * values], &rows.values[row * values] + values);
+      flat.insert(flat.end(), &rows.metrics[row * more], &rows.metrics[row * more] + more);
+      flat.insert(flat.end(),
+                  {double(rows.status[row]), double(rows.cause[row]), double(rows.seconds[row])});
+    }
+  }
+  explore::StoreLayout layout;
+  explore::VariantRows rows;
+  int columns = 0;
+  std::vector<double> flat;
+};
+
+void append_to_store(const Family& family, const Measured& measured) {
+  explore::StoreWriter store = new_store(family);
+  store.append(measured.rows);
+  store.finish();
+}
+
+void append_to_sqlite(const Family& family, const Measured& measured, SqliteWay way, int rows) {
+  write_sqlite(family.folder.fresh("a.sqlite"), way, measured.columns,
+               {measured.flat.data(), std::size_t(rows * measured.columns)});
+}
+
+void add_stores(const FamilyPointer& plain, const FamilyPointer& compressed) {
+  const auto measured = std::make_shared<Measured>(*plain);
+  const auto packed = std::make_shared<Measured>(*compressed);
+  add("store/append", [=] { append_to_store(*compressed, *packed); });
+  add("store/append/uncompressed", [=] { append_to_store(*plain, *measured); });
+  add("store/sqlite_bulk", [=] { append_to_sqlite(*plain, *measured, SqliteWay::bulk, variants); });
+  add("store/sqlite_one_by_one",
+      [=] { append_to_sqlite(*plain, *measured, SqliteWay::one_by_one, one_by_one); });
+  add("store/sqlite_one_by_one_unsafe",
+      [=] { append_to_sqlite(*plain, *measured, SqliteWay::one_by_one_unsafe, variants); });
+}
+
+}  // namespace
+
+void register_explore_benchmarks() {
+  const auto plain = std::make_shared<Family>(false), compressed = std::make_shared<Family>(true);
+  add_runs(plain, compressed);
+  add_stores(plain, compressed);
+}
+
+Report explore_report() {
+  const double scale = double(variants) / one_by_one;
+  Report report;
+  report.rates = {
+      {"explore: stored variants, two threads", "explore/two_threads", variants, 40000},
+      {"explore: the same, uncompressed", "explore/two_threads/uncompressed", variants, 40000},
+      {"store: rows appended", "store/append", variants, 0},
+      {"store: rows appended, uncompressed", "store/append/uncompressed", variants, 0}};
+  report.ratios = {
+      {"explore: one thread / two threads", "explore/one_thread", "explore/two_threads", 1.8},
+      {"explore: stored / not stored, compressed", "explore/two_threads",
+       "explore/two_threads/no_store", 1.08, true},
+      {"explore: stored / not stored, uncompressed", "explore/two_threads/uncompressed",
+       "explore/two_threads/no_store", 1.03, true},
+      {"explore: not stored / bare TBB loop", "explore/two_threads/no_store",
+       "explore/two_threads/bare_tbb_loop", 1.05, true},
+      {"explore: not stored / pagmo2's thread_bfe", "explore/two_threads/no_store",
+       "explore/two_threads/pagmo_thread_bfe", 1.0, true},
+      {"store: SQLite, a transaction each row / ours", "store/sqlite_one_by_one", "store/append",
+       20.0, false, scale},
+      {"store: SQLite, the same without waiting for the disk / ours",
+       "store/sqlite_one_by_one_unsafe", "store/append", 20.0},
+      {"store: SQLite, one transaction / ours", "store/sqlite_bulk", "store/append", 2.0},
+      {"store: SQLite, one transaction / ours, uncompressed", "store/sqlite_bulk",
+       "store/append/uncompressed", 2.0},
+  };
+  return report;
+}
+
+}  // namespace bodyline::bench
