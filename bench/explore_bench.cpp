@@ -25,9 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int variants = 10000;  // of a run
-constexpr int one_by_one = 500;  // rows that SQLite makes safe one by one: it is slow
-constexpr int task_rows = 64;    // of the bare loop, as in run_study
+constexpr int variants = 100000;   // of a run
+constexpr int few = 10000;         // of a run that is to scale to two threads
+constexpr int table_rows = 10000;  // that stores are given
+constexpr int one_by_one = 100;    // rows that SQLite makes safe one by one: it is slow
+constexpr int task_rows = 64;      // of the bare loop, as in run_study
 
 // A folder for the life of the program.
 class Folder {
@@ -55,13 +57,13 @@ class Folder {
 
 /// The study, its variants, and what is measured of them.
 struct Family {
-  explicit Family(bool compressed)
-      : plan(std::make_shared<explore::VariantPlan>(read(compressed))),
+  explicit Family(int count, bool compressed)
+      : plan(std::make_shared<explore::VariantPlan>(read(count, compressed))),
         source(explore::make_source(plan->study, plan->space)) {}
 
-  static explore::Study read(bool compressed) {
+  static explore::Study read(int count, bool compressed) {
     explore::Study study = explore::read_study(BODYLINE_SOURCE_DIR "/examples/sweep.toml");
-    study.sampler.count = variants;
+    study.sampler.count = std::uint64_t(count);
     study.keep.compressed = compressed;
     return study;
   }
@@ -151,7 +153,9 @@ void run_pagmo(const Family& family, const Points& points, int threads) {
 void add_runs(const FamilyPointer& plain, const FamilyPointer& compressed) {
   const auto points = std::make_shared<Points>(*plain);
   add("explore/two_threads", [=] { run_stored(*compressed, 2); });
-  add("explore/one_thread", [=] { run_stored(*compressed, 1); });
+  const auto small = std::make_shared<const Family>(few, true);
+  add("explore/few/two_threads", [=] { run_stored(*small, 2); });
+  add("explore/few/one_thread", [=] { run_stored(*small, 1); });
   add("explore/two_threads/uncompressed", [=] { run_stored(*plain, 2); });
   add("explore/two_threads/no_store", [=] { run_without_store(*plain, 2); });
   add("explore/two_threads/bare_tbb_loop", [=] { run_bare(*plain, 2); });
@@ -161,13 +165,14 @@ void add_runs(const FamilyPointer& plain, const FamilyPointer& compressed) {
 /// Measured rows, as the store takes them and as SQLite does.
 struct Measured {
   explicit Measured(const Family& family) : layout(family.plan->study, family.plan->space) {
-    rows = explore::make_rows(layout, 0, variants);
-    family.source->values(0, variants, rows.values);
+    rows = explore::make_rows(layout, 0, table_rows);
+    family.source->values(0, table_rows, rows.values);
     explore::VariantEvaluator evaluator(family.plan);
     explore::measure_rows(evaluator, rows);
-    const std::size_t values = rows.values.size() / variants, more = rows.metrics.size() / variants;
+    const std::size_t values = rows.values.size() / table_rows,
+                      more = rows.metrics.size() / table_rows;
     columns = int(values + more) + 3;
-    for (std::size_t row = 0; row < variants; ++row) {
+    for (std::size_t row = 0; row < table_rows; ++row) {
       flat.insert(flat.end(), &rows.values[row * values], &rows.values[row * values] + values);
       flat.insert(flat.end(), &rows.metrics[row * more], &rows.metrics[row * more] + more);
       flat.insert(flat.end(),
@@ -194,33 +199,35 @@ void append_to_sqlite(const Family& family, const Measured& measured, SqliteWay 
 void add_stores(const FamilyPointer& plain, const FamilyPointer& compressed) {
   const auto measured = std::make_shared<Measured>(*plain);
   const auto packed = std::make_shared<Measured>(*compressed);
-  add("store/append", [=] { append_to_store(*compressed, *packed); });
-  add("store/append/uncompressed", [=] { append_to_store(*plain, *measured); });
-  add("store/sqlite_bulk", [=] { append_to_sqlite(*plain, *measured, SqliteWay::bulk, variants); });
-  add("store/sqlite_one_by_one",
+  add("explore/store/append", [=] { append_to_store(*compressed, *packed); });
+  add("explore/store/append/uncompressed", [=] { append_to_store(*plain, *measured); });
+  add("explore/store/sqlite_bulk",
+      [=] { append_to_sqlite(*plain, *measured, SqliteWay::bulk, table_rows); });
+  add("explore/store/sqlite_one_by_one",
       [=] { append_to_sqlite(*plain, *measured, SqliteWay::one_by_one, one_by_one); });
-  add("store/sqlite_one_by_one_unsafe",
-      [=] { append_to_sqlite(*plain, *measured, SqliteWay::one_by_one_unsafe, variants); });
+  add("explore/store/sqlite_one_by_one_unsafe",
+      [=] { append_to_sqlite(*plain, *measured, SqliteWay::one_by_one_unsafe, table_rows); });
 }
 
 }  // namespace
 
 void register_explore_benchmarks() {
-  const auto plain = std::make_shared<Family>(false), compressed = std::make_shared<Family>(true);
-  add_runs(plain, compressed);
-  add_stores(plain, compressed);
+  add_runs(std::make_shared<Family>(variants, false), std::make_shared<Family>(variants, true));
+  add_stores(std::make_shared<Family>(table_rows, false),
+             std::make_shared<Family>(table_rows, true));
 }
 
 Report explore_report() {
-  const double scale = double(variants) / one_by_one;
+  const double scale = double(table_rows) / one_by_one;
   Report report;
   report.rates = {
       {"explore: stored variants, two threads", "explore/two_threads", variants, 40000},
       {"explore: the same, uncompressed", "explore/two_threads/uncompressed", variants, 40000},
-      {"store: rows appended", "store/append", variants, 0},
-      {"store: rows appended, uncompressed", "store/append/uncompressed", variants, 0}};
+      {"store: rows appended", "explore/store/append", table_rows, 0},
+      {"store: rows appended, uncompressed", "explore/store/append/uncompressed", table_rows, 0}};
   report.ratios = {
-      {"explore: one thread / two threads", "explore/one_thread", "explore/two_threads", 1.8},
+      {"explore: one thread / two threads, 10,000 variants", "explore/few/one_thread",
+       "explore/few/two_threads", 1.8},
       {"explore: stored / not stored, compressed", "explore/two_threads",
        "explore/two_threads/no_store", 1.08, true},
       {"explore: stored / not stored, uncompressed", "explore/two_threads/uncompressed",
@@ -229,13 +236,14 @@ Report explore_report() {
        "explore/two_threads/bare_tbb_loop", 1.05, true},
       {"explore: not stored / pagmo2's thread_bfe", "explore/two_threads/no_store",
        "explore/two_threads/pagmo_thread_bfe", 1.0, true},
-      {"store: SQLite, a transaction each row / ours", "store/sqlite_one_by_one", "store/append",
-       20.0, false, scale},
+      {"store: SQLite, a transaction each row / ours", "explore/store/sqlite_one_by_one",
+       "explore/store/append", 20.0, false, scale},
       {"store: SQLite, the same without waiting for the disk / ours",
-       "store/sqlite_one_by_one_unsafe", "store/append", 20.0},
-      {"store: SQLite, one transaction / ours", "store/sqlite_bulk", "store/append", 2.0},
-      {"store: SQLite, one transaction / ours, uncompressed", "store/sqlite_bulk",
-       "store/append/uncompressed", 2.0},
+       "explore/store/sqlite_one_by_one_unsafe", "explore/store/append", 20.0},
+      {"store: SQLite, one transaction / ours", "explore/store/sqlite_bulk", "explore/store/append",
+       2.0},
+      {"store: SQLite, one transaction / ours, uncompressed", "explore/store/sqlite_bulk",
+       "explore/store/append/uncompressed", 2.0},
   };
   return report;
 }
