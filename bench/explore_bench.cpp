@@ -8,8 +8,11 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -25,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int variants = 100000;   // of a run
+constexpr int variants = 40000;    // of a run
 constexpr int few = 10000;         // of a run that is to scale to two threads
 constexpr int table_rows = 10000;  // that stores are given
 constexpr int one_by_one = 100;    // rows that SQLite makes safe one by one: it is slow
@@ -55,17 +58,26 @@ class Folder {
   fs::path path_;
 };
 
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 /// The study, its variants, and what is measured of them.
 struct Family {
   explicit Family(int count, bool compressed)
       : plan(std::make_shared<explore::VariantPlan>(read(count, compressed))),
         source(explore::make_source(plan->study, plan->space)) {}
 
+  // The text is what a store keeps and goes by.
   static explore::Study read(int count, bool compressed) {
-    explore::Study study = explore::read_study(BODYLINE_SOURCE_DIR "/examples/sweep.toml");
-    study.sampler.count = std::uint64_t(count);
-    study.keep.compressed = compressed;
-    return study;
+    const fs::path path = BODYLINE_SOURCE_DIR "/examples/sweep.toml";
+    std::string text = text_of(path);
+    const std::string planned = "count = 20000";
+    text.replace(text.find(planned), planned.size(), "count = " + std::to_string(count));
+    if (!compressed) text += "\n[keep]\ncompressed = false\n";
+    return explore::read_study_text(
+        text, path, [&](const std::string& name) { return text_of(path.parent_path() / name); });
   }
 
   std::shared_ptr<const explore::VariantPlan> plan;
@@ -80,6 +92,7 @@ void add(const std::string& name, const std::function<void()>& work) {
                                  for (auto _ : state) work();
                                })
       ->Unit(benchmark::kMillisecond)
+      ->MeasureProcessCPUTime()
       ->UseRealTime();
 }
 
@@ -98,9 +111,9 @@ void run_stored(const Family& family, int threads) {
   store.finish();
 }
 
-void run_without_store(const Family& family, int threads) {
+void run_without_store(const Family& family, const explore::VariantSource& source, int threads) {
   double sum = 0.0;
-  explore::measure_study(family.plan, *family.source, threads,
+  explore::measure_study(family.plan, source, threads,
                          [&](const explore::VariantRows& rows) { sum += rows.metrics.front(); });
   benchmark::DoNotOptimize(sum);
 }
@@ -123,17 +136,22 @@ void run_bare(const Family& family, int threads) {
 }
 
 /// All variants' values beforehand, as pagmo's batch evaluator takes them.
-struct Points {
+struct Points : explore::VariantSource {
   explicit Points(const Family& family)
-      : columns(family.plan->space.columns().size()), values(columns * variants) {
+      : columns(family.plan->space.columns().size()), all(columns * variants) {
     for (const explore::Column& column : family.plan->space.columns()) {
       lower.push_back(column.lower);
       upper.push_back(column.upper);
     }
-    family.source->values(0, variants, values);
+    family.source->values(0, variants, all);
+  }
+  std::uint64_t size() const override { return variants; }
+  void values(std::uint64_t first, int count, std::span<double> rows) const override {
+    std::copy_n(all.begin() + std::ptrdiff_t(first * columns), std::size_t(count) * columns,
+                rows.begin());
   }
   std::size_t columns;
-  std::vector<double> lower, upper, values;
+  std::vector<double> lower, upper, all;
 };
 
 void run_pagmo(const Family& family, const Points& points, int threads) {
@@ -147,7 +165,7 @@ void run_pagmo(const Family& family, const Points& points, int threads) {
     evaluators.local().measure(point, {metrics, count});
     return metrics[0];
   };
-  benchmark::DoNotOptimize(pagmo_batch(points.lower, points.upper, points.values, fitness));
+  benchmark::DoNotOptimize(pagmo_batch(points.lower, points.upper, points.all, fitness));
 }
 
 void add_runs(const FamilyPointer& plain, const FamilyPointer& compressed) {
@@ -157,7 +175,8 @@ void add_runs(const FamilyPointer& plain, const FamilyPointer& compressed) {
   add("explore/few/two_threads", [=] { run_stored(*small, 2); });
   add("explore/few/one_thread", [=] { run_stored(*small, 1); });
   add("explore/two_threads/uncompressed", [=] { run_stored(*plain, 2); });
-  add("explore/two_threads/no_store", [=] { run_without_store(*plain, 2); });
+  add("explore/two_threads/no_store", [=] { run_without_store(*plain, *plain->source, 2); });
+  add("explore/two_threads/given_points", [=] { run_without_store(*plain, *points, 2); });
   add("explore/two_threads/bare_tbb_loop", [=] { run_bare(*plain, 2); });
   add("explore/two_threads/pagmo_thread_bfe", [=] { run_pagmo(*plain, *points, 2); });
 }
@@ -225,25 +244,36 @@ Report explore_report() {
       {"explore: the same, uncompressed", "explore/two_threads/uncompressed", variants, 40000},
       {"store: rows appended", "explore/store/append", table_rows, 0},
       {"store: rows appended, uncompressed", "explore/store/append/uncompressed", table_rows, 0}};
+  const std::string all = "explore/two_threads", cpu = processor_time, store = "explore/store/";
   report.ratios = {
       {"explore: one thread / two threads, 10,000 variants", "explore/few/one_thread",
        "explore/few/two_threads", 1.8},
-      {"explore: stored / not stored, compressed", "explore/two_threads",
-       "explore/two_threads/no_store", 1.08, true},
-      {"explore: stored / not stored, uncompressed", "explore/two_threads/uncompressed",
-       "explore/two_threads/no_store", 1.03, true},
-      {"explore: not stored / bare TBB loop", "explore/two_threads/no_store",
-       "explore/two_threads/bare_tbb_loop", 1.05, true},
-      {"explore: not stored / pagmo2's thread_bfe", "explore/two_threads/no_store",
-       "explore/two_threads/pagmo_thread_bfe", 1.0, true},
-      {"store: SQLite, a transaction each row / ours", "explore/store/sqlite_one_by_one",
-       "explore/store/append", 20.0, false, scale},
+      {"explore, time of processors: stored / not stored, compressed", all + cpu,
+       all + "/no_store" + cpu, 1.08, true},
+      {"explore, time of processors: stored / not stored, uncompressed",
+       all + "/uncompressed" + cpu, all + "/no_store" + cpu, 1.03, true},
+      {"explore, time of processors: not stored / bare TBB loop", all + "/no_store" + cpu,
+       all + "/bare_tbb_loop" + cpu, 1.05, true},
+      {"explore, time of processors: given points / pagmo2's thread_bfe",
+       all + "/given_points" + cpu, all + "/pagmo_thread_bfe" + cpu, 1.0, true},
+      {"explore: stored / not stored, compressed", all, all + "/no_store", 1.08, true},
+      {"explore: stored / not stored, uncompressed", all + "/uncompressed", all + "/no_store", 1.03,
+       true},
+      {"explore: not stored / bare TBB loop", all + "/no_store", all + "/bare_tbb_loop", 1.05,
+       true},
+      {"explore: given points / pagmo2's thread_bfe", all + "/given_points",
+       all + "/pagmo_thread_bfe", 1.0, true},
+      {"store: SQLite, a transaction each row / ours", store + "sqlite_one_by_one",
+       store + "append", 20.0, false, scale},
       {"store: SQLite, the same without waiting for the disk / ours",
-       "explore/store/sqlite_one_by_one_unsafe", "explore/store/append", 20.0},
-      {"store: SQLite, one transaction / ours", "explore/store/sqlite_bulk", "explore/store/append",
-       2.0},
-      {"store: SQLite, one transaction / ours, uncompressed", "explore/store/sqlite_bulk",
-       "explore/store/append/uncompressed", 2.0},
+       store + "sqlite_one_by_one_unsafe", store + "append", 20.0},
+      {"store: SQLite, one transaction / ours", store + "sqlite_bulk", store + "append", 2.0},
+      {"store: SQLite, one transaction / ours, uncompressed", store + "sqlite_bulk",
+       store + "append/uncompressed", 2.0},
+      {"store, time of processors: SQLite, one transaction / ours", store + "sqlite_bulk" + cpu,
+       store + "append" + cpu, 2.0},
+      {"store, time of processors: SQLite, one transaction / ours, uncompressed",
+       store + "sqlite_bulk" + cpu, store + "append/uncompressed" + cpu, 2.0},
   };
   return report;
 }

@@ -33,9 +33,14 @@ class Collector : public benchmark::ConsoleReporter {
 
  private:
   void collect(const Run& run) {
-    const bool real = !run.run_name.time_type.empty();
+    const std::string& name = run.run_name.function_name;
+    const bool real = run.run_name.time_type.find("real_time") != std::string::npos;
     const double seconds = real ? run.real_accumulated_time : run.cpu_accumulated_time;
-    samples_[run.run_name.function_name].push_back(seconds / static_cast<double>(run.iterations));
+    samples_[name].push_back(seconds / static_cast<double>(run.iterations));
+    if (real) {
+      samples_[name + processor_time].push_back(run.cpu_accumulated_time /
+                                                static_cast<double>(run.iterations));
+    }
   }
 
   Samples samples_;

@@ -6,6 +6,10 @@
 /// Tables that bodyline_bench prints after its run, from the medians of the repetitions.
 namespace bodyline::bench {
 
+/// Behind the name of a benchmark that is measured in real time: its processor time instead, that
+/// of all threads if it asks for that.
+inline constexpr const char* processor_time = " (processor time)";
+
 /// Two benchmarks that do the same work: how many times `slow` takes as long as `fast`.
 struct Ratio {
   std::string label;
