@@ -266,7 +266,7 @@ Report explore_report() {
       {"store: SQLite, a transaction each row / ours", store + "sqlite_one_by_one",
        store + "append", 20.0, false, scale},
       {"store: SQLite, the same without waiting for the disk / ours",
-       store + "sqlite_one_by_one_unsafe", store + "append", 20.0},
+       store + "sqlite_one_by_one_unsafe", store + "append"},
       {"store: SQLite, one transaction / ours", store + "sqlite_bulk", store + "append", 2.0},
       {"store: SQLite, one transaction / ours, uncompressed", store + "sqlite_bulk",
        store + "append/uncompressed", 2.0},
