@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int variants = 40000;    // of a run
+constexpr int variants = 100000;   // of a run
 constexpr int few = 10000;         // of a run that is to scale to two threads
 constexpr int table_rows = 10000;  // that stores are given
 constexpr int one_by_one = 100;    // rows that SQLite makes safe one by one: it is slow
