@@ -54,7 +54,7 @@ struct RowCrew::State {
   std::exception_ptr failure;
 };
 
-RowCrew::RowCrew(std::shared_ptr<const VariantPlan> plan, const VariantSource& source,
+RowCrew::RowCrew(const std::shared_ptr<const VariantPlan>& plan, const VariantSource& source,
                  const StoreLayout& layout, int threads)
     : state_(std::make_unique<State>(plan, source, layout, threads)) {}
 

@@ -16,7 +16,7 @@ namespace bodyline::explore {
 class RowCrew {
  public:
   /// `source` must outlive it.
-  RowCrew(std::shared_ptr<const VariantPlan> plan, const VariantSource& source,
+  RowCrew(const std::shared_ptr<const VariantPlan>& plan, const VariantSource& source,
           const StoreLayout& layout, int threads);
   ~RowCrew();
 
