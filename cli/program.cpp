@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 
+#include "cli/chain_command.hpp"
 #include "cli/check_command.hpp"
 #include "cli/convert_command.hpp"
 #include "cli/deviation_command.hpp"
@@ -22,6 +23,7 @@
 #include "cli/space_command.hpp"
 #include "cli/strokes_command.hpp"
 #include "cli/variables_command.hpp"
+#include "explore/ranks.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
 
@@ -42,6 +44,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_export_command(program, context);
   add_convert_command(program, context);
   add_scan_command(program, context);
+  add_chain_command(program, context);
   add_outline_command(program, context);
   add_strokes_command(program, context);
   add_sketch_command(program, context);
@@ -105,6 +108,8 @@ int parse_and_run(CLI::App& program, int argc, const char* const* argv, Context&
   } catch (const CLI::Success& request) {  // --help and --version
     return program.exit(request, *context.out, *context.err);
   } catch (const CLI::ParseError& error) {
+    // Of the ranks of a parallel run the first one says what is wrong.
+    if (explore::launched_rank() > 0 && command_word(argc, argv) == "explore") return exit_fine;
     return fail(context, usage_sentence(program, error, argc, argv));
   }
   context.out->flush();
