@@ -70,7 +70,7 @@ TEST(FitCar, WithoutAScanTheShapeOfTheStartIsHeld) {
 TEST(Stretched, MovesPointsWithTheSidesOfTheBoxAndKeepsSizesThatAreNotGiven) {
   constexpr double rounding = 1e-9;  // mm
   const model::Model car = template_car();
-  const Eigen::AlignedBox3d box({0.0, -900.0, 100.0}, {4000.0, 900.0, 1400.0});
+  const Eigen::AlignedBox3d box(Vector3d(0.0, -900.0, 100.0), Vector3d(4000.0, 900.0, 1400.0));
   const model::Model longer = stretched(car, box, {5000.0, 0.0, 1950.0});
   for (std::size_t c = 0; c < car.curves.size(); ++c) {
     for (std::size_t k = 0; k < car.curves[c].points.size(); ++k) {

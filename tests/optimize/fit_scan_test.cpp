@@ -1,6 +1,5 @@
 // Fitting a body to points of another one.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -15,8 +14,6 @@
 #include "optimize/align_scan.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
-#include "optimize/folded_scan.hpp"
-#include "optimize/net_rows.hpp"
 #include "optimize/orient_normals.hpp"
 #include "optimize/random_pose.hpp"
 #include "optimize/simulate_scan.hpp"
@@ -24,8 +21,6 @@
 
 namespace bodyline::optimize {
 namespace {
-
-using testing::HasSubstr;
 
 // A scanner's noise of 1 mm averages out over a face; what is left are places where curves slide.
 constexpr double median_tolerance = 0.8, most_tolerance = 4.0;  // mm
@@ -224,136 +219,6 @@ TEST(FitScan, StopsWhenAskedWithABodyThatCanBeBuilt) {
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(rounds, 3);
   EXPECT_NO_THROW(model::build(result.model, model::Stage::body));
-}
-
-/// No number wherever the body reaches farther back than it does in the template.
-class OnlyAsFar : public FitTarget {
- public:
-  OnlyAsFar(const model::BodyPlan& plan, model::Stage stage)
-      : term_(std::make_shared<NetRows>(plan, stage)), count_(plan.point_count) {}
-  void match(const double* nets, const FitRound&) override {
-    double furthest = 0.0;
-    for (int k = 0; k < count_; ++k) furthest = std::max(furthest, nets[3 * k]);
-    constexpr double tail = 5000.0;  // mm; that of the template is at 4734
-    NetRow row;
-    row.offset = furthest > tail ? std::nan("") : 0.0;
-    row.lower = row.upper = 0.0;
-    excess_ = row.offset;
-    term_->set({row});
-  }
-  model::WeightedNetTerm term() const override { return {term_, 1.0}; }
-  double excess() const override { return excess_; }
-
- private:
-  std::shared_ptr<NetRows> term_;
-  int count_;
-  double excess_ = 0.0;
-};
-
-TEST(FitBody, AStartThatCannotBeEvaluatedDoesNotWin) {
-  const FitTargetMaker target = [](const model::BodyPlan& plan, model::Stage stage, FitDetail) {
-    return std::make_unique<OnlyAsFar>(plan, stage);
-  };
-  FitOptions options;
-  options.warp_rounds = options.curve_rounds = options.body_rounds = 1;
-  options.unfold_rounds = 0;
-  const FitStart good, bad{{1000.0, 0.0, 0.0}, 0.0};
-  for (const auto& starts : {std::vector{bad, good}, std::vector{good, bad}}) {
-    options.starts = starts;
-    const FitResult result = fit_body({target}, start_model(), options);
-    EXPECT_NE(result.status, Status::failed);
-    double furthest = 0.0;
-    for (const model::Curve& curve : result.model.curves)
-      for (const Eigen::Vector3d& point : curve.points) furthest = std::max(furthest, point.x());
-    EXPECT_LT(furthest, 5000.0);
-  }
-}
-
-TEST(FitBody, APhaseEndsWhereARoundFails) {
-  const FitTargetMaker target = [](const model::BodyPlan& plan, model::Stage stage, FitDetail) {
-    return std::make_unique<OnlyAsFar>(plan, stage);
-  };
-  FitOptions options;
-  options.starts = {FitStart{{1000.0, 0.0, 0.0}, 0.0}};
-  const FitResult result = fit_body({target}, start_model(), options);
-  EXPECT_EQ(result.status, Status::failed);
-  EXPECT_EQ(result.history.size(), 3U);  // warp, curves, body
-}
-
-TEST(FitOptions, ThatAreOutOfRangeAreRefusedByName) {
-  const auto refusal = [](const auto& change) -> std::string {
-    FitOptions options;
-    change(options);
-    try {
-      check_fit_options(options);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(refusal([](FitOptions&) {}), "");
-  EXPECT_THAT(refusal([](FitOptions& o) { o.starts.clear(); }), HasSubstr(" starts "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.starts[1].move.x() = NAN; }), HasSubstr(" starts "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.warp_rounds = -1; }), HasSubstr(" warp_rounds "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.unfold_rounds = -1; }), HasSubstr(" unfold_rounds "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.far = INFINITY; }), HasSubstr(" far "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.near = 0.0; }), HasSubstr(" near "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.near = 2.0 * o.far; }), HasSubstr(" near "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.rim_near = NAN; }), HasSubstr(" rim_near "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.bending = -1.0; }), HasSubstr(" bending "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.fold = NAN; }), HasSubstr(" fold "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.stay = -1.0; }), HasSubstr(" stay "));
-  EXPECT_THAT(refusal([](FitOptions& o) { o.rims = INFINITY; }), HasSubstr(" rims "));
-  FitOptions options;
-  options.rims = -1.0;
-  EXPECT_THROW(fit_body({}, start_model(), options), std::invalid_argument);
-}
-
-TEST(FoldedScan, RefusesPointsThatAreNotFinite) {
-  model::Scan scan;
-  scan.points = {{0, 0, 0}, {0, NAN, 0}};
-  EXPECT_THROW(folded_scan(scan, {}, 2), std::invalid_argument);
-}
-
-TEST(FoldedScan, TellsWhichPointsItMirrored) {
-  const FoldedScan folded = folded_scan({{{1, 2, 3}, {1, -2, 3}, {1, 0, 3}}, {}}, {}, 3);
-  EXPECT_EQ(folded.mirrored, (std::vector<char>{1, 0, 0}));
-  for (const Eigen::Vector3d& point : folded.scan.points) EXPECT_LE(point.y(), 0.0);
-}
-
-TEST(OrientedScan, HasUnitNormalsAlsoWhereTheFileHasNone) {
-  model::Scan scan = simulate_scan(start_model(), scanner());
-  for (std::size_t k = 0; k < scan.normals.size(); k += 7) {
-    if (k % 2 == 0)
-      scan.normals[k].setZero();
-    else
-      scan.normals[k].setConstant(NAN);
-  }
-  const model::Scan oriented = oriented_scan(scan, {}, start_model(), 5000);
-  for (const Eigen::Vector3d& normal : oriented.normals) EXPECT_NEAR(normal.norm(), 1.0, 1e-12);
-}
-
-TEST(OrientedScan, TurnsNormalsOutwardHoweverTheyStand) {
-  SimulateOptions options = scanner();
-  options.outliers = 0.0;
-  options.points = 5000;
-  const model::Scan outward = simulate_scan(start_model(), options);
-  const auto expect_outward = [&](const model::Scan& given) {
-    const model::Scan oriented = oriented_scan(given, {}, start_model(), options.points);
-    std::size_t alike = 0;
-    for (std::size_t k = 0; k < oriented.normals.size(); ++k)
-      alike += oriented.normals[k].dot(outward.normals[k]) > 0.0;
-    // Of points beside the joints, where the whole patch is turned otherwise than the body.
-    EXPECT_GT(alike, 99 * oriented.normals.size() / 100);
-  };
-  model::Scan given = outward;
-  expect_outward(given);
-  for (Eigen::Vector3d& normal : given.normals) normal *= -1.0;
-  expect_outward(given);
-  for (std::size_t k = 0; k < given.normals.size(); k += 2) given.normals[k] *= -1.0;
-  expect_outward(given);
-  given.normals.clear();
-  expect_outward(given);
 }
 
 TEST(FitScan, RefusesAScanWithoutPointsOrNormals) {
