@@ -369,7 +369,7 @@ TEST(AlignScan, RefusesAnEllipsoidOfACarsSize) {
 TEST(AlignScan, RefusesABoxOfACarsSize) {
   SampleDraw draw(5);
   EXPECT_THAT(refusal(scanned_from(box_surface({2250, 900, 700}, draw), random_pose(5))),
-              HasSubstr("cannot be told from its rear"));
+              HasSubstr("does not have the shape of a car"));
 }
 
 TEST(AlignScan, RefusesABunny) {
@@ -377,8 +377,9 @@ TEST(AlignScan, RefusesABunny) {
     SampleDraw draw(6);
     return refusal(scanned_from(bunny_like(stretch, draw), random_pose(6)));
   };
-  EXPECT_THAT(refused({1, 1, 1}), HasSubstr("as wide as it is long"));
-  EXPECT_THAT(refused({2.4, 1, 0.75}), HasSubstr("does not have the shape of a car"));
+  EXPECT_THAT(refused({1, 1, 1}), HasSubstr("does not have the shape of a car"));
+  // Drawn out to the length, width and height of a car.
+  EXPECT_THAT(refused({1.32, 0.55, 0.41}), HasSubstr("does not have the shape of a car"));
 }
 
 TEST(AlignScan, RefusesWhatIsNotCarSizedInAnyUnit) {
