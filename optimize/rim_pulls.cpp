@@ -91,7 +91,8 @@ double point_spacing(const model::Scan& scan) {
   std::vector<PointTree::Neighbour> near;
   for (std::size_t k = 0; k < scan.points.size(); k += 1 + scan.points.size() / 1000) {
     tree.nearest(scan.points[k], neighbours, near);
-    if (near.size() == neighbours) distances.push_back(std::sqrt(near.back().squared_distance));
+    if (near.size() < neighbours) continue;
+    distances.push_back((scan.points[near.back().index] - scan.points[k]).norm());
   }
   return 2.0 * median(std::move(distances));
 }
