@@ -1,0 +1,26 @@
+// Draws what has changed, once per frame of the screen.
+
+export class Frame {
+  constructor() {
+    /** @type {Set<() => boolean | void>} */
+    this.waiting_ = new Set();
+    this.asked_ = false;
+  }
+
+  /** Calls `draw` in the next frame, and again as long as it returns true. */
+  request(draw) {
+    this.waiting_.add(draw);
+    if (this.asked_) return;
+    this.asked_ = true;
+    requestAnimationFrame(() => this.run_());
+  }
+
+  run_() {
+    this.asked_ = false;
+    const now = [...this.waiting_];
+    this.waiting_.clear();
+    for (const draw of now) {
+      if (draw() === true) this.request(draw);
+    }
+  }
+}
