@@ -4,7 +4,7 @@ import { counted } from './format.js';
 import { openPicker } from './picker.js';
 
 /** What the page does not show of the store; empty when it shows all. */
-export function limitsText({ about, count }, bodies) {
+export function limitsText({ about, count }) {
   const sentences = [];
   if (count < about.stored) {
     sentences.push(`The store holds ${counted(about.stored)} variants; the page shows ${counted(count)}, evenly sampled, ` +
@@ -13,10 +13,13 @@ export function limitsText({ about, count }, bodies) {
   if (about.stored < about.planned) {
     sentences.push(`The study is not complete: ${counted(about.stored)} of ${counted(about.planned)} variants are measured.`);
   }
-  if (bodies.rows.length < count) {
-    sentences.push(`${counted(bodies.rows.length)} variants can be seen in 3-D (${about.bodiesKept ? 'from the nets in the store' : 'built when the page was written'}).`);
-  }
   return sentences.join(' ');
+}
+
+/** Of how many variants the page holds the body. */
+function bodiesText({ about, count }, bodies) {
+  const number = bodies.rows.length === count ? 'all' : counted(bodies.rows.length);
+  return `${number} in 3-D (${about.bodiesKept ? 'nets of the store' : 'built when the page was written'})`;
 }
 
 function statusChips(explorer) {
@@ -64,11 +67,11 @@ export function header(explorer, bodies) {
     String(explorer.colour), (column) => explorer.setColour(Number(column))));
   explorer.on('colour', showColour);
   showColour();
-  const limits = limitsText(dataset, bodies);
+  const limits = limitsText(dataset);
   return element('header', {},
     element('div', { class: 'title' }, element('h1', { textContent: about.study }),
       element('span', { class: 'soft', textContent: `${about.store} · ${counted(about.stored)} variants (${about.sampler}) · ` +
-        `${dataset.variableColumns().length} variables · ${dataset.metricColumns().length} metrics` })),
+        `${dataset.variableColumns().length} variables · ${dataset.metricColumns().length} metrics · ${bodiesText(dataset, bodies)}` })),
     ...(about.note ? [element('p', { class: 'soft note', textContent: about.note })] : []),
     ...(limits ? [element('p', { class: 'limits', textContent: limits })] : []),
     element('div', { class: 'toolbar' }, count, clear, statusChips(explorer), paretoOnly, colour,

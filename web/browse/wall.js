@@ -28,6 +28,9 @@ export class WallView {
       if (entry.isIntersecting) this.paint_(Number(entry.target.dataset.row));
     }), { rootMargin: '200px' });
     this.tiles.forEach((tile) => this.watcher.observe(tile));
+    /** Rows whose tiles are to be drawn. @type {number[]} */
+    this.waiting = [];
+    this.paintNext = () => this.paintNext_();
     this.mark = () => this.mark_();
     explorer.on('filter chosen pinned objectives', () => frame.request(this.mark));
     this.mark_();
@@ -66,13 +69,19 @@ export class WallView {
     const canvas = this.tiles.get(row).querySelector('canvas');
     if (!canvas || canvas.dataset.done) return;
     canvas.dataset.done = 'yes';
-    this.frame.request(() => {
-      const stage = this.stage_();
-      if (!stage) return;
-      const { scenes } = this.drawing.scenes([row], { look: 'paint', layout: 'side', cells });
-      stage.draw(scenes, home);
-      canvas.getContext('2d').drawImage(stage.canvas, 0, 0, canvas.width, canvas.height);
-    });
+    this.waiting.push(row);
+    this.frame.request(this.paintNext);
+  }
+
+  // One tile to a frame; true when more wait.
+  paintNext_() {
+    const row = this.waiting.shift(), stage = this.stage_();
+    if (!stage || row === undefined) return false;
+    const { scenes } = this.drawing.scenes([row], { look: 'paint', layout: 'side', cells });
+    stage.draw(scenes, home);
+    const canvas = this.tiles.get(row).querySelector('canvas');
+    canvas.getContext('2d').drawImage(stage.canvas, 0, 0, canvas.width, canvas.height);
+    return this.waiting.length > 0;
   }
 
   stage_() {

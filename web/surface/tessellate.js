@@ -24,7 +24,8 @@ export function gridTables(faces, cells) {
   };
 }
 
-// Unit normal out of the body and mean curvature in 1/m, positive for a sphere.
+// Unit normal out of the body and then the area of a unit of parameters into `normal`; returns the
+// mean curvature in 1/m, positive for a sphere.
 function normalAndCurvature(jet, inward, normal) {
   const [, , , ax, ay, az, bx, by, bz] = jet;
   let x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
@@ -39,6 +40,7 @@ function normalAndCurvature(jet, inward, normal) {
   normal[0] = side * x;
   normal[1] = side * y;
   normal[2] = side * z;
+  normal[3] = size;
   return -side * metre * mean;
 }
 
@@ -46,14 +48,14 @@ function normalAndCurvature(jet, inward, normal) {
  * @param {import('./bezier.js').Face[]} faces
  * @param {Float32Array} points of the body, xyz in mm
  * @param {ReturnType<typeof gridTables>} tables
- * @returns {{positions: Float32Array, normals: Float32Array, curvatures: Float32Array}} of every face
- *   (cells + 1)^2 vertices, v fastest; mm and 1/m
+ * @returns {{positions: Float32Array, normals: Float32Array, curvatures: Float32Array, areas: Float32Array}}
+ *   of every face (cells + 1)^2 vertices, v fastest; mm, 1/m, and |S_u x S_v| in mm2
  */
 export function tessellate(faces, points, tables) {
   const side = tables.cells + 1, count = faces.length * side * side;
   const positions = new Float32Array(3 * count), normals = new Float32Array(3 * count);
-  const curvatures = new Float32Array(count);
-  const jet = new Float64Array(jetSize), normal = [0, 0, 0];
+  const curvatures = new Float32Array(count), areas = new Float32Array(count);
+  const jet = new Float64Array(jetSize), normal = [0, 0, 0, 0];
   let at = 0;
   for (const face of faces) {
     const [edgeU, edgeV] = [tables.edges.get(face.degreeU), tables.edges.get(face.degreeV)];
@@ -64,11 +66,12 @@ export function tessellate(faces, points, tables) {
         positions.set(jet.subarray(0, 3), 3 * at);
         faceJet(face, points, innerU[i], innerV[j], tables.innerBlends[i][j], jet);
         curvatures[at] = normalAndCurvature(jet, face.inward, normal);
-        normals.set(normal, 3 * at);
+        normals.set(normal.slice(0, 3), 3 * at);
+        areas[at] = normal[3];
       }
     }
   }
-  return { positions, normals, curvatures };
+  return { positions, normals, curvatures, areas };
 }
 
 /** Two triangles to a cell of every face that `takes` lets through. */

@@ -13,6 +13,7 @@ export class Drawing {
   constructor(bodies, colours) {
     this.bodies = bodies;
     this.texture = scaleTexture(colours);
+    this.materials = [paint, other].map((tint) => this.material_(tint));
     this.old = [];
   }
 
@@ -30,9 +31,13 @@ export class Drawing {
     const made = surfaces.map((surface, k) => {
       const values = map ? map.values[k] : new Float32Array(surface.curvatures.length);
       const geometry = geometryOf(surface, bodies.grid(cells), bodies.frame, values);
-      return { ...geometry, material: this.material_(map && !(look === 'difference' && k === 1) ? 'map' : look, k) };
+      const material = this.materials[k], { uniforms } = material;
+      uniforms.look.value = map && !(look === 'difference' && k === 1) ? looks.map : looks[look] ?? looks.paint;
+      uniforms.opacity.value = 1;
+      Object.assign(material, { transparent: false, depthWrite: true });
+      return { ...geometry, material };
     });
-    this.old = made.flatMap((body) => [body, body.material]);
+    this.old = made;
     if (made.length < 2) return { scenes: [sceneOf(made)], map };
     if (layout === 'side') return { scenes: made.map((body) => sceneOf([body])), map };
     Object.assign(made[1].material, { transparent: true, depthWrite: false });
@@ -40,10 +45,10 @@ export class Drawing {
     return { scenes: [sceneOf(made)], map };
   }
 
-  material_(look, k) {
+  // Materials are kept: the graphics card compiles one anew when the last that is like it is gone.
+  material_(tint) {
     const material = bodyMaterial(this.texture, { period: stripe });
-    material.uniforms.look.value = looks[look] ?? looks.paint;
-    material.uniforms.tint.value = k === 0 ? paint : other;
+    material.uniforms.tint.value = tint;
     return material;
   }
 }

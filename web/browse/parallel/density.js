@@ -43,12 +43,14 @@ export class Density {
     }
   }
 
-  most() {
-    let most = 0;
+  /** Mean number of lines of the pixels that have any. */
+  usual() {
+    let sum = 0, pixels = 0;
     for (const count of this.counts) {
-      if (count > most) most = count;
+      sum += count;
+      if (count > 0) pixels += 1;
     }
-    return most;
+    return sum / Math.max(1, pixels);
   }
 
   /**
@@ -63,14 +65,14 @@ export class Density {
       const [red, green, blue] = colour(shade);
       return red | green << 8 | blue << 16;
     });
-    const most = this.most(), full = Math.log(1 + Math.max(8, most));
-    const opacity = Uint8Array.from({ length: Math.min(most, 4095) + 1 }, (_, count) => Math.round(
-      255 * (faintest + (1 - faintest) * Math.log(count || 1) / full)));
+    const full = Math.max(8, 4 * this.usual());
+    const opacity = Uint8Array.from({ length: Math.ceil(full) + 1 }, (_, count) => Math.round(
+      255 * Math.min(1, faintest + (1 - faintest) * Math.sqrt(Math.max(0, count - 1) / full))));
     for (let x = 0, at = 0; x < width; ++x) {
       for (let y = 0; y < height; ++y, ++at) {
         const count = counts[at];
         if (count <= 0) continue;
-        const alpha = count < 4096 ? opacity[count] : 255;
+        const alpha = count < opacity.length ? opacity[count] : 255;
         pixels[y * width + x] = (table[(shades[at] / count) | 0] | alpha << 24) >>> 0;
       }
     }

@@ -2,6 +2,8 @@
 import { element } from '../dom.js';
 import { openAxisMenu } from './axis_menu.js';
 
+const most = 112;  // pixels; the outermost ones stay within the margin
+
 /**
  * @param {import('../explorer.js').Explorer} explorer
  * @param {import('./layout.js').Axis} axis
@@ -15,7 +17,7 @@ export function heading(explorer, axis, spacing) {
   }, element('span', { textContent: about.name }));
   if (about.unit && about.unit !== '1') button.append(element('small', { textContent: about.unit }));
   button.style.left = `${axis.x}px`;
-  button.style.width = `${spacing - 6}px`;
+  button.style.width = `${Math.min(spacing - 6, most)}px`;
   drag(button, explorer, axis, spacing);
   return button;
 }

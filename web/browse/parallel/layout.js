@@ -1,7 +1,7 @@
 // Where axes stand and how values lie on them.
 import { makeScale } from '../scale.js';
 
-const margin = 52, leastSpacing = 84;
+const margin = 58, leastSpacing = 84;
 
 /**
  * @typedef {{column: number, x: number, scale: import('../scale.js').Scale, flipped: boolean,

@@ -38,7 +38,7 @@ export function drawMarks(context, axes, yOf, explorer, theme) {
   };
   const front = explorer.pareto.length <= mostPareto
     ? [...explorer.pareto].filter((row) => explorer.filter.mask[row]) : [];
-  stroke(front, theme.pareto, 1.2, 0.75);
+  stroke(front, theme.pareto, 1.2, Math.min(0.8, Math.max(0.2, 4 / Math.sqrt(front.length))));
   const one = (row, colour, width) => {
     if (row < 0) return;
     stroke([row], theme.back, width + 2.5);

@@ -120,7 +120,7 @@ export class ParallelView {
     const made = element('div', { class: 'axis' }, strip);
     made.style.left = `${axis.x}px`;
     axis.scale.ticks(Math.floor(this.height / tickSpacing)).forEach((value) => {
-      const mark = element('span', { class: 'mark', textContent: short(value, 4) });
+      const mark = element('span', { class: 'mark', textContent: short(value, 12) });
       mark.style.top = `${100 * (1 - axis.up(value))}%`;
       made.append(mark);
     });

@@ -62,7 +62,7 @@ export class ScatterView {
     const axis = (column, side) => ({
       side, stroke: soft, grid: { stroke: line, width: 1 }, ticks: { show: false }, size: side === 3 ? 58 : 34,
       label: titled(columns[column]), labelSize: 20, labelFont: '12px system-ui', font: '11px system-ui', labelGap: 2,
-      values: (_, splits) => splits.map((value) => (value === null ? '' : short(value, 4))),
+      values: (_, splits) => splits.map((value) => (value === null ? '' : short(value, 12))),
     });
     return {
       width, height, padding: [10, 14, 0, 0], legend: { show: false },
@@ -116,9 +116,11 @@ export class ScatterView {
     });
     [layer.width, layer.height] = [image.width, image.height];
     layer.getContext('2d').putImageData(image, 0, 0);
+    plot.ctx.save();
     plot.ctx.drawImage(layer, left, top);
     [['pointed', 'soft'], ['pinned', 'pinned'], ['chosen', 'chosen']].forEach(([which, colour]) =>
       this.ring_(plot.ctx, explorer[which], theme.colours[colour], left, top, density));
+    plot.ctx.restore();
   }
 
   ring_(context, row, colour, left, top, density) {
@@ -143,10 +145,9 @@ export class ScatterView {
       explorer.emit('columns');
     });
     this.controls.replaceChildren(
-      element('h2', { textContent: 'Scatter' }),
-      element('label', {}, 'across ', choices('Column across', entries, String(this.x), (x) => this.show(Number(x), this.y))),
+      element('label', {}, '↔ ', choices('Column across', entries, String(this.x), (x) => this.show(Number(x), this.y))),
       log(this.x),
-      element('label', {}, 'up ', choices('Column up', entries, String(this.y), (y) => this.show(this.x, Number(y)))),
+      element('label', {}, '↕ ', choices('Column up', entries, String(this.y), (y) => this.show(this.x, Number(y)))),
       log(this.y));
   }
 }

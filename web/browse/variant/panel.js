@@ -37,14 +37,14 @@ export class VariantPanel {
       this.title.replaceChildren(element('h2', { textContent: 'Variant' }), element('span', { class: 'soft', textContent: 'none chosen' }));
       return;
     }
-    const button = (text, act) => element('button', { type: 'button', textContent: text, onclick: act });
+    const button = (text, act, title) => element('button', { type: 'button', textContent: text, title, onclick: act });
     const status = dataset.statusText(chosen) + (explorer.isPareto[chosen] ? ', in the Pareto set' : '');
     this.title.replaceChildren(
       element('h2', { class: 'chosen', textContent: `#${dataset.ids[chosen]}` }), element('span', { class: 'soft status', textContent: status }),
-      pinned === chosen ? element('span', { class: 'soft', textContent: 'others are compared with it' })
-        : button('Compare others with it', () => explorer.pin(chosen)),
-      ...(pinned >= 0 ? [button(`No longer compare with #${dataset.ids[pinned]}`, () => explorer.pin(-1))] : []),
-      button('Copy as a model …', () => openCopyDialog(dataset, chosen)));
+      pinned === chosen ? element('span', { class: 'soft', textContent: 'pinned' })
+        : button('Compare', () => explorer.pin(chosen), 'Keep it in view, to compare others with it'),
+      ...(pinned >= 0 ? [button(`Unpin #${dataset.ids[pinned]}`, () => explorer.pin(-1), 'No longer compare with it')] : []),
+      button('Copy …', () => openCopyDialog(dataset, chosen), 'Copy its variables as a model'));
   }
 
   showNumbers_() {
@@ -62,7 +62,7 @@ export class VariantPanel {
         ...(compared < 0 ? [] : [element('td', { class: 'pinned', textContent: exact(values[compared]) })]),
         element('td', { class: 'unit', textContent: about.unit === '1' ? '' : about.unit }));
     };
-    const table = (columns) => element('table', {}, element('tbody', {}, ...columns
+    const table = (columns) => element('table', { class: compared < 0 ? '' : 'two' }, element('tbody', {}, ...columns
       .filter((column) => dataset.columns[column].name.toLowerCase().includes(wanted)).map(line)));
     this.numbers.replaceChildren(element('h3', { textContent: 'Metrics' }), table(dataset.metricColumns()),
       element('h3', { textContent: 'Variables' }), table(dataset.variableColumns()));
