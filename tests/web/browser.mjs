@@ -4,7 +4,9 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const profile = mkdtempSync(join(tmpdir(), 'bodyline-browser-'));
+/** The browser that the tests use. */
+export const chromiumPath = process.env.BODYLINE_CHROMIUM ?? '/usr/bin/chromium';
+
 const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
@@ -14,8 +16,9 @@ const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-ru
  */
 export async function openBrowser(packages, { width = 1280, height = 800, colorScheme = 'light', scale = 1 } = {}) {
   const { chromium } = createRequire(join(packages, 'package.json'))('playwright-core');
+  const profile = mkdtempSync(join(tmpdir(), 'bodyline-browser-'));
   const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.BODYLINE_CHROMIUM ?? '/usr/bin/chromium', headless: true, args: flags,
+    executablePath: chromiumPath, headless: true, args: flags,
     viewport: { width, height }, colorScheme, deviceScaleFactor: scale, acceptDownloads: true,
   });
   return {

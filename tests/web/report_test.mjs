@@ -1,0 +1,1 @@
+// The view in three dimensions of a report, in a browser.
