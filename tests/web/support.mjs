@@ -26,6 +26,16 @@ export function makeFolder() {
 /** Runs the program in a folder and returns what it prints. */
 export const run = (folder, ...words) => execFileSync(bodyline, words, { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe'] });
 
+/** The same where the program may end with exit code 1: done, with findings. */
+export function runWithFindings(folder, ...words) {
+  try {
+    return run(folder, ...words);
+  } catch (error) {
+    if (error.status !== 1) throw error;
+    return error.stdout;
+  }
+}
+
 /** A store of so many variants of model 1, SPACE.h5, and all its rows by `space table`. */
 export function makeStore(folder, name, count, rest = '') {
   writeFileSync(join(folder, `${name}.toml`), `format = 1

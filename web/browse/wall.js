@@ -6,6 +6,7 @@ import { readJson } from './decode.js';
 import { short } from './format.js';
 
 const width = 176, height = 99, cells = 6;
+const density = Math.min(2, window.devicePixelRatio || 1);
 
 export class WallView {
   /**
@@ -40,7 +41,7 @@ export class WallView {
     const { explorer } = this, { dataset } = explorer, id = dataset.ids[row];
     const picture = this.pictures[row]
       ? element('img', { src: `data:image/png;base64,${this.pictures[row]}`, alt: '' })
-      : element('canvas', { width: 2 * width, height: 2 * height });
+      : element('canvas', { width: width * density, height: height * density });
     const metric = dataset.metricColumns()[0];
     const caption = metric === undefined ? '' : ` ${short(dataset.values(metric)[row], 4)}`;
     return element('button', {
@@ -88,7 +89,7 @@ export class WallView {
     if (this.stage === undefined) {
       try {
         this.stage = new Stage(document.createElement('canvas'));
-        this.stage.fit(2 * width, 2 * height);
+        this.stage.fit(width, height);
         this.drawing = new Drawing(this.bodies, this.theme.diverging);
       } catch {
         this.stage = null;

@@ -1,8 +1,9 @@
 // A scatter plot of two columns; dragging a box selects, a press chooses.
 import UPlot from 'uplot';
-import { choices, element, tick } from '../dom.js';
+import { choices, element, tabs, tick } from '../dom.js';
 import { short, titled } from '../format.js';
 import { makeScale } from '../scale.js';
+import { ScatterMatrix } from './matrix.js';
 import { objectivesPanel } from './objectives.js';
 import { packed, Points } from './points.js';
 
@@ -21,17 +22,37 @@ export class ScatterView {
     this.x = x ?? first[0];
     this.y = y ?? first[1] ?? first[0];
     this.host = element('div', { class: 'chart' });
-    this.controls = element('div', { class: 'controls' });
+    this.pair = element('div', { class: 'pair' });
+    this.controls = element('div', { class: 'controls' }, this.pair);
+    this.matrix = new ScatterMatrix(explorer, frame, theme, (x, y) => {
+      this.show(x, y);
+      this.setMatrix_(false);
+    });
     this.root = element('section', { class: 'card scatter', 'aria-label': 'Scatter plot' },
-      this.controls, this.host, objectivesPanel(explorer));
+      this.controls, this.host, this.matrix.root, objectivesPanel(explorer));
     this.layer = document.createElement('canvas');
-    this.draw = () => this.plot?.redraw(false, false);
+    this.draw = () => {
+      if (!this.host.hidden) this.plot?.redraw(false, false);
+    };
     explorer.on('filter chosen pinned pointed objectives', () => frame.request(this.draw));
     explorer.on('colour', () => this.make());
     explorer.on('columns', () => this.make());
     theme.onChange(() => this.make());
     new ResizeObserver(() => this.make()).observe(this.host);
     this.showControls_();
+    this.setMatrix_(false);
+  }
+
+  // One plot, or a matrix of small ones.
+  setMatrix_(on) {
+    this.host.hidden = on;
+    this.pair.hidden = on;
+    this.matrix.root.hidden = !on;
+    this.modes?.remove();
+    this.modes = tabs('Scatter plots', [['one', 'Plot'], ['all', 'Matrix']], on ? 'all' : 'one', (mode) => this.setMatrix_(mode === 'all'));
+    this.controls.prepend(this.modes);
+    if (on) this.matrix.make();
+    else this.make();
   }
 
   /** Shows two columns. */
@@ -144,7 +165,7 @@ export class ScatterView {
       else explorer.log.delete(column);
       explorer.emit('columns');
     });
-    this.controls.replaceChildren(
+    this.pair.replaceChildren(
       element('label', {}, '↔ ', choices('Column across', entries, String(this.x), (x) => this.show(Number(x), this.y))),
       log(this.x),
       element('label', {}, '↕ ', choices('Column up', entries, String(this.y), (y) => this.show(this.x, Number(y)))),
