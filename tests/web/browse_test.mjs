@@ -201,9 +201,9 @@ test('two variants are compared side by side and overlaid, by their difference',
   await choose(page, rows.at(-1));
   const pictures = new Set();
   for (const name of ['Paint', 'Curvature', 'Difference']) {
-    for (const layout of ['Side by side', 'Overlaid']) {
+    for (const layout of ['Apart', 'Overlaid']) {
       await page.getByRole('button', { name, exact: true }).click();
-      await page.getByRole('button', { name: layout }).click();
+      await page.getByRole('button', { name: layout, exact: true }).click();
       await settled(page);
       pictures.add(await pictureOf(page));
     }

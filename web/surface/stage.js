@@ -47,18 +47,26 @@ export class Stage {
     this.height = Math.max(1, height);
   }
 
+  /** Whether so many bodies are larger one below the other than side by side. */
+  isStacked(count) {
+    const size = (width, height) => height * Math.min(1, width / height / 2);
+    return size(this.width, this.height / count) > size(this.width / count, this.height);
+  }
+
   /**
-   * Draws scenes side by side, all from the same point.
+   * Draws scenes side by side or one below the other, all from the same point.
    * @param {Scene[]} scenes
    * @param {typeof home} view
    */
   draw(scenes, view) {
-    const width = this.width / scenes.length;
-    aim(this.camera, view, width / this.height);
+    const count = scenes.length, stacked = this.isStacked(count);
+    const width = stacked ? this.width : this.width / count, height = stacked ? this.height / count : this.height;
+    aim(this.camera, view, width / height);
     this.renderer.setScissorTest(true);
     scenes.forEach((scene, k) => {
-      this.renderer.setViewport(k * width, 0, width, this.height);
-      this.renderer.setScissor(k * width, 0, width, this.height);
+      const place = stacked ? [0, (count - 1 - k) * height, width, height] : [k * width, 0, width, height];
+      this.renderer.setViewport(...place);
+      this.renderer.setScissor(...place);
       this.renderer.clear();
       this.renderer.render(scene, this.camera);
     });

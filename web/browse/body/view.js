@@ -21,7 +21,7 @@ export class BodyView {
     this.message = element('div', { class: 'message' });
     this.labels = element('div', { class: 'labels' });
     this.legend = element('div', { class: 'legend' });
-    this.layouts = tabs('Arrangement of two variants', [['side', 'Side by side'], ['over', 'Overlaid']], 'side', (layout) => {
+    this.layouts = tabs('Arrangement of two variants', [['side', 'Apart'], ['over', 'Overlaid']], 'side', (layout) => {
       this.layout = layout;
       this.compose();
     });
@@ -68,11 +68,13 @@ export class BodyView {
     if (!this.scenes || this.canvas.clientWidth === 0) return;
     if (this.stage.width !== this.canvas.clientWidth || this.stage.height !== this.canvas.clientHeight) this.stage.fit();
     this.stage.draw(this.scenes, this.view);
+    const apart = this.scenes.length === 2;
+    this.labels.classList.toggle('stacked', apart && this.stage.isStacked(2));
+    this.labels.classList.toggle('two', apart && !this.stage.isStacked(2));
   }
 
   showLabels_(rows) {
     const { dataset } = this.explorer, name = (row) => `#${dataset.ids[row]}`;
-    this.labels.className = `labels ${rows.length === 2 && this.layout === 'side' ? 'two' : ''}`;
     this.labels.replaceChildren(...rows.map((row, k) => element('span', { class: k ? 'pinned' : 'chosen', textContent: name(row) })));
   }
 

@@ -7,8 +7,8 @@ import { layOut, placeRows } from './layout.js';
 import { Lines } from './lines.js';
 import { drawMarks } from './marks.js';
 
-const lineTime = 7;           // milliseconds of a frame for lines
-const mostSharp = 10000;      // rows that are drawn with all pixels of a fine screen
+const lineTime = 6;      // milliseconds of a frame for lines
+const mostSharp = 10000; // rows that are drawn with all pixels of a fine screen
 const tickSpacing = 44;
 
 export class ParallelView {

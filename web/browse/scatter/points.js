@@ -52,12 +52,14 @@ export class Points {
     return found;
   }
 
+  // A square, moved into the picture where it would stand out of it.
   stamp_(pixels, row, size, colour) {
-    if (this.xs[row] === none) return;
-    const left = this.xs[row] - (size >> 1), top = this.ys[row] - (size >> 1);
-    const right = Math.min(this.width, left + size), bottom = Math.min(this.height, top + size);
-    for (let y = Math.max(0, top); y < bottom; ++y) {
-      pixels.fill(colour, y * this.width + Math.max(0, left), y * this.width + right);
+    const { width, height } = this, x = this.xs[row];
+    if (x === none) return;
+    const left = Math.max(0, Math.min(width - size, x - (size >> 1)));
+    const top = Math.max(0, Math.min(height - size, this.ys[row] - (size >> 1)));
+    for (let y = 0, at = top * width + left; y < size; ++y, at += width) {
+      for (let across = 0; across < size; ++across) pixels[at + across] = colour;
     }
   }
 }

@@ -5,6 +5,7 @@ import { csvOf, save } from './csv.js';
 import { orderBy, selectedInOrder } from './order.js';
 
 const rowHeight = 28, spare = 6;
+const pause = 120;  // milliseconds between drawings while a range is dragged
 
 export class TableView {
   /**
@@ -48,6 +49,7 @@ export class TableView {
     this.order = orderBy(column < 0 ? dataset.ids : dataset.values(column), falling);
     this.columns_();
     this.rows_();
+    this.request_();
   }
 
   columns_() {
@@ -62,16 +64,18 @@ export class TableView {
       ...this.shown.map((column) => head(column, titled(dataset.columns[column]))));
     const width = this.allDigits ? 168 : 112;
     this.scroll.style.setProperty('--columns', `72px 132px repeat(${this.shown.length}, ${width}px)`);
-    this.drawnFrom = null;
     this.request_();
   }
 
   rows_() {
     const { filter } = this.explorer;
     this.stale = true;
+    this.waits ??= setTimeout(() => {
+      this.waits = null;
+      this.request_();
+    }, pause);
     this.exporter.textContent = `Export ${counted(filter.count)} as CSV`;
     this.exporter.disabled = filter.count === 0;
-    this.request_();
   }
 
   draw_() {

@@ -58,11 +58,11 @@ export class VariantPanel {
     const line = (column) => {
       const about = dataset.columns[column], values = dataset.values(column);
       return element('tr', { 'data-column': String(column) }, element('th', { textContent: about.name, title: about.name }),
-        element('td', { class: 'value', textContent: exact(values[chosen]) }),
-        ...(compared < 0 ? [] : [element('td', { class: 'pinned', textContent: exact(values[compared]) })]),
+        element('td', {}, element('div', { class: 'value', textContent: exact(values[chosen]) }),
+          ...(compared < 0 ? [] : [element('div', { class: 'pinned', textContent: exact(values[compared]) })])),
         element('td', { class: 'unit', textContent: about.unit === '1' ? '' : about.unit }));
     };
-    const table = (columns) => element('table', { class: compared < 0 ? '' : 'two' }, element('tbody', {}, ...columns
+    const table = (columns) => element('table', {}, element('tbody', {}, ...columns
       .filter((column) => dataset.columns[column].name.toLowerCase().includes(wanted)).map(line)));
     this.numbers.replaceChildren(element('h3', { textContent: 'Metrics' }), table(dataset.metricColumns()),
       element('h3', { textContent: 'Variables' }), table(dataset.variableColumns()));
