@@ -20,12 +20,14 @@ struct Request {
 };
 
 std::string summary_text(const explore::BrowseSummary& summary, const std::string& path) {
-  const std::string sampled =
-      std::uint64_t(summary.shown) < summary.stored
-          ? fmt::format(" (a sample of {}, with the whole Pareto set)", summary.stored)
-          : "";
-  return fmt::format("{} variants{}, {} in the Pareto set, {} to be seen in 3-D: {}\n",
-                     summary.shown, sampled, summary.pareto, summary.bodies, path);
+  const std::string sampled = std::uint64_t(summary.shown) < summary.stored
+                                  ? fmt::format(" of {}, sampled evenly", summary.stored)
+                                  : "";
+  const std::string pareto =
+      summary.pareto > 0 ? fmt::format(", the {} of the Pareto set among them", summary.pareto)
+                         : "";
+  return fmt::format("variants: {}{}{}; {} can be seen in 3-D\npage: {}\n", summary.shown, sampled,
+                     pareto, summary.bodies, path);
 }
 
 void run(Context& context, Request& request) {

@@ -85,6 +85,7 @@ std::vector<int> spread_rows(const BrowseRows& rows, int variables, int count) {
     if (has_body(rows, row, variables)) candidates.push_back(row);
   }
   const std::size_t wanted = std::min(std::size_t(count), candidates.size());
+  if (wanted == 0) return {};
   Distances distances(scaled_metrics(rows, candidates, variables), candidates.size());
   std::vector<int> chosen;
   const auto choose = [&](std::size_t candidate) {

@@ -68,6 +68,7 @@ std::string pictures(const StoreReader& store, const BrowseRows& shown,
 
 std::string browse_page(const StoreReader& store, const BrowseOptions& options,
                         BrowseSummary& summary) {
+  if (store.rows() == 0) throw StoreError(store.path(), "holds no variants yet.");
   const std::vector<BrowseObjective> objectives =
       browse_objectives(store, options.minimize, options.maximize);
   const BrowseRows rows = browse_rows(store, objectives, options.limit);

@@ -23,7 +23,7 @@ struct BrowseSummary {
 
 /// A page, one file without anything beside it, to look at the variants of a store
 /// (docs/browsing.md). All numbers are in it with all their bits. Throws std::invalid_argument for
-/// objectives that the store has not.
+/// objectives that the store has not, StoreError for an empty store.
 std::string browse_page(const StoreReader& store, const BrowseOptions& options,
                         BrowseSummary& summary);
 

@@ -173,6 +173,14 @@ TEST(SpreadRows, LeaveOutWhatCannotBeBuilt) {
   EXPECT_THAT(spread, ::testing::Not(::testing::Contains(3)));
 }
 
+TEST(SpreadRows, AreNoneWhereNothingCanBeBuilt) {
+  const Folder folder;
+  const StoreReader store = measured(folder, 3);
+  BrowseRows rows = explore::browse_rows(store, {}, 3);
+  for (auto& status : rows.status) status = std::uint8_t(explore::VariantStatus::lean);
+  EXPECT_THAT(explore::spread_rows(rows, variables, 10), ::testing::IsEmpty());
+}
+
 TEST(BrowseBodies, AreTheSameFromTheStoreAndBuiltAnew) {
   const Folder with, without;
   const StoreReader kept = measured(with, 6, "[keep]\nnets = true\n");
@@ -184,6 +192,16 @@ TEST(BrowseBodies, AreTheSameFromTheStoreAndBuiltAnew) {
   ASSERT_EQ(a.points_mm.size(), std::size_t(2 * 3 * a.points));
   for (std::size_t k = 0; k < a.points_mm.size(); ++k)
     ASSERT_NEAR(a.points_mm[k], b.points_mm[k], rounding_mm) << k;
+}
+
+TEST(BrowsePage, IsRefusedOfAnEmptyStore) {
+  const Folder folder;
+  const explore::Study study = small_study(3);
+  const explore::VariantPlan plan(study);
+  explore::StoreWriter::create(folder / "a.h5", study, plan.space, 3, false).finish();
+  explore::BrowseSummary summary;
+  EXPECT_THROW(explore::browse_page(StoreReader(folder / "a.h5"), {}, summary),
+               explore::StoreError);
 }
 
 TEST(BrowsePage, LoadsNothing) {

@@ -42,7 +42,8 @@ export class Explorer extends EventTarget {
     const variables = this.dataset.variableColumns().filter(moving)
       .sort((a, b) => this.influence[b] - this.influence[a])
       .slice(0, Math.max(4, usualColumns - metrics.length)).sort((a, b) => a - b);
-    return [...variables, ...metrics];
+    const moved = [...variables, ...metrics];
+    return moved.length > 0 ? moved : [...this.dataset.columns.keys()].slice(-usualColumns);
   }
 
   setRange(column, range) {

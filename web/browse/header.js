@@ -3,12 +3,16 @@ import { choices, element, tick } from './dom.js';
 import { counted } from './format.js';
 import { openPicker } from './picker.js';
 
+/** "small bending and large height". */
+const goals = (objectives, columns) => objectives.map(
+  ({ column, minimize }) => `${minimize ? 'small' : 'large'} ${columns[column].name}`).join(' and ');
+
 /** What the page does not show of the store; empty when it shows all. */
-export function limitsText({ about, count }) {
+export function limitsText({ about, count, columns, pareto }) {
   const sentences = [];
   if (count < about.stored) {
-    sentences.push(`The store holds ${counted(about.stored)} variants; the page shows ${counted(count)}, evenly sampled, ` +
-      'with the whole Pareto set.');
+    sentences.push(`The store holds ${counted(about.stored)} variants; the page shows ${counted(count)}, evenly sampled` +
+      `${pareto.length > 0 ? `, with the whole Pareto set of ${goals(about.objectives, columns)}` : ''}.`);
   }
   if (about.stored < about.planned) {
     sentences.push(`The study is not complete: ${counted(about.stored)} of ${counted(about.planned)} variants are measured.`);

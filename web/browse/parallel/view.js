@@ -93,7 +93,7 @@ export class ParallelView {
     let more = lines.advance(explorer.filter.mask, lineTime);
     if (lines.changed) {
       const plain = theme.rgb('lines');
-      const faintest = Math.min(0.5, Math.max(0.1, 4 / Math.sqrt(explorer.filter.count + 1)));
+      const faintest = Math.min(0.85, Math.max(0.1, 8 / Math.sqrt(explorer.filter.count + 1)));
       lines.show(explorer.colour < 0 ? () => plain : theme.palette, faintest);
     }
     const filtered = explorer.filter.active;
