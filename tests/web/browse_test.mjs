@@ -12,7 +12,8 @@ needBrowser();
 const folder = makeFolder();
 const table = makeStore(folder, 'space', 300);
 run(folder, 'browse', 'space.h5', '-o', 'space.html', '--minimize', 'bending', '--maximize', 'length', '--bodies', '12');
-run(folder, 'browse', 'space.h5', '-o', 'sample.html', '--limit', '60');
+run(folder, 'browse', 'space.h5', '-o', 'flat.html', '--minimize', 'bending', '--maximize', 'length', '--bodies', '0');
+run(folder, 'browse', 'space.h5', '-o', 'sample.html', '--limit', '60', '--bodies', '0');
 const html = readFileSync(join(folder, 'space.html'), 'utf8');
 const about = description(html);
 const browser = await openBrowser(packages);
@@ -20,7 +21,8 @@ after(() => browser.close());
 
 const columnNames = about.columns.map(({ name, metric }) => `${metric ? 'out' : 'in'}:${name}`);
 const ids = (rows) => rows.map(({ id }) => Number(id));
-const opened = (name = 'space.html') => openPage(browser.context, join(folder, name));
+// Without bodies, which take the browser longest.
+const opened = (name = 'flat.html') => openPage(browser.context, join(folder, name));
 
 /** Numbers of selected variants, as the page exports them. */
 async function exported(page) {
@@ -66,7 +68,7 @@ test('every number in the page has all bits of that in the store', () => {
 });
 
 test('the page opens without errors and asks the network for nothing', async () => {
-  const { page, problems } = await opened();
+  const { page, problems } = await opened('space.html');
   await settled(page);
   assert.deepEqual(problems, []);
   await page.close();
@@ -172,7 +174,7 @@ test('the table sorts by a column, both ways', async () => {
 });
 
 test('the 3-D view draws the chosen variant, and another one for another', async () => {
-  const { page } = await opened();
+  const { page } = await opened('space.html');
   await settled(page);
   const rows = blockNumbers(html, 'body-rows', Int32Array);
   await choose(page, rows[0]);
@@ -194,7 +196,7 @@ test('the 3-D view draws the chosen variant, and another one for another', async
 });
 
 test('two variants are compared side by side and overlaid, by their difference', async () => {
-  const { page } = await opened();
+  const { page } = await opened('space.html');
   const rows = blockNumbers(html, 'body-rows', Int32Array);
   await choose(page, rows[0]);
   await page.locator('.variant').getByRole('button', { name: 'Compare' }).click();
@@ -214,7 +216,7 @@ test('two variants are compared side by side and overlaid, by their difference',
 });
 
 test('the page says which variants have no body, and why', async () => {
-  const { page } = await opened();
+  const { page } = await opened('space.html');
   const rows = new Set(blockNumbers(html, 'body-rows', Int32Array));
   const without = table.find((row, k) => row.status === 'valid' && !rows.has(k));
   await choose(page, Number(without.id));

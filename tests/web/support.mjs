@@ -6,7 +6,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromiumPath } from './browser.mjs';
 
-export const [packages, bodyline, facePoints] = process.argv.slice(2).map((path) => resolve(path));
+export const [packages, bodyline, facePoints, reportPage] = process.argv.slice(2).map((path) => resolve(path));
 const cars = resolve(dirname(fileURLToPath(import.meta.url)), '../../cars');
 
 /** Ends the test as skipped, and says so, where there is no browser. */
@@ -25,16 +25,6 @@ export function makeFolder() {
 
 /** Runs the program in a folder and returns what it prints. */
 export const run = (folder, ...words) => execFileSync(bodyline, words, { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe'] });
-
-/** The same where the program may end with exit code 1: done, with findings. */
-export function runWithFindings(folder, ...words) {
-  try {
-    return run(folder, ...words);
-  } catch (error) {
-    if (error.status !== 1) throw error;
-    return error.stdout;
-  }
-}
 
 /** A store of so many variants of model 1, SPACE.h5, and all its rows by `space table`. */
 export function makeStore(folder, name, count, rest = '') {

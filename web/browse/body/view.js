@@ -34,17 +34,10 @@ export class BodyView {
       element('div', { class: 'controls' }, element('h2', { textContent: 'In 3-D' }), look, this.layouts),
       element('div', { class: 'stage' }, this.canvas, this.labels, this.message), this.legend);
     this.draw = () => this.draw_();
-    try {
-      this.stage = new Stage(this.canvas);
-      this.drawing = new Drawing(bodies, theme.diverging);
-    } catch {
-      this.stage = null;
-    }
     turntable(this.canvas, this.view, () => frame.request(this.draw));
     explorer.on('chosen pinned', () => this.compose());
     new ResizeObserver(() => {
-      this.stage?.fit();
-      frame.request(this.draw);
+      if (this.stage) frame.request(this.draw);
     }).observe(this.canvas);
     this.compose();
   }
@@ -53,7 +46,7 @@ export class BodyView {
   compose() {
     const { explorer, bodies } = this, { chosen, pinned } = explorer;
     const rows = [chosen, pinned].filter((row, k, all) => row >= 0 && bodies.has(row) && all.indexOf(row) === k);
-    const shown = this.stage && bodies.has(chosen) ? rows : [];
+    const shown = bodies.has(chosen) && this.makeStage_() ? rows : [];
     this.layouts.hidden = shown.length < 2;
     this.canvas.hidden = shown.length === 0;
     this.say_(shown);
@@ -62,6 +55,19 @@ export class BodyView {
     this.showLabels_(shown);
     this.showLegend_(shown);
     this.frame.request(this.draw);
+  }
+
+  // Whether there is a stage; made when it is first needed, null without WebGL.
+  makeStage_() {
+    if (this.stage === undefined) {
+      try {
+        this.stage = new Stage(this.canvas);
+        this.drawing = new Drawing(this.bodies, this.theme.diverging);
+      } catch {
+        this.stage = null;
+      }
+    }
+    return this.stage !== null;
   }
 
   draw_() {
@@ -98,7 +104,7 @@ export class BodyView {
     message.hidden = shown.length > 0;
     if (shown.length > 0) return;
     const status = dataset.about.statuses[dataset.status[chosen]];
-    if (!this.stage) message.replaceChildren('This browser has no WebGL, which the view in three dimensions needs.');
+    if (this.stage === null) message.replaceChildren('This browser has no WebGL, which the view in three dimensions needs.');
     else if (chosen < 0) message.replaceChildren('Choose a variant: press a line, a point or a row.');
     else if (['cut_order', 'fullness', 'lean'].includes(status)) {
       message.replaceChildren(`Variant ${dataset.ids[chosen]} cannot be built: ${dataset.statusText(chosen)}.`);
