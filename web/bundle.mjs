@@ -23,7 +23,10 @@ const common = {
  */
 function bundle(entry, name) {
   return esbuild.build({
-    ...common, format: 'iife', entryPoints: [join(sources, entry)], outfile: join(output, name),
+    ...common,
+    format: 'iife',
+    entryPoints: [join(sources, entry)],
+    outfile: join(output, name),
   });
 }
 
@@ -34,5 +37,5 @@ try {
     bundle('report/viewer.js', 'report_viewer.js'),
   ]);
 } catch {
-  process.exitCode = 1;  // esbuild has said why
+  process.exitCode = 1; // esbuild has said why
 }

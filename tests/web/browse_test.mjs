@@ -1,19 +1,20 @@
-// The page of `bodyline browse`, in a browser.
+// Numbers, selections and texts of the page of `bodyline browse`, in a browser.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { openBrowser, openPage } from './browser.mjs';
+import { choose, exported, selectedText, setRange, settled } from './page_actions.mjs';
 import { blockNumbers, description } from './page_data.mjs';
 import { bodyline, makeFolder, makeStore, needBrowser, numberOf, packages, readTable, run } from './support.mjs';
 
 needBrowser();
 const folder = makeFolder();
 const table = makeStore(folder, 'space', 300);
-run(folder, 'browse', 'space.h5', '-o', 'space.html', '--minimize', 'bending', '--maximize', 'length', '--bodies', '12');
-run(folder, 'browse', 'space.h5', '-o', 'flat.html', '--minimize', 'bending', '--maximize', 'length', '--bodies', '0');
-run(folder, 'browse', 'space.h5', '-o', 'sample.html', '--limit', '60', '--bodies', '0');
+// Without bodies, which take the browser longest.
+run(folder, 'browse space.h5 -o space.html --minimize bending --maximize length --bodies 0');
+run(folder, 'browse space.h5 -o sample.html --limit 60 --bodies 0');
 const html = readFileSync(join(folder, 'space.html'), 'utf8');
 const about = description(html);
 const browser = await openBrowser(packages);
@@ -21,38 +22,7 @@ after(() => browser.close());
 
 const columnNames = about.columns.map(({ name, metric }) => `${metric ? 'out' : 'in'}:${name}`);
 const ids = (rows) => rows.map(({ id }) => Number(id));
-// Without bodies, which take the browser longest.
-const opened = (name = 'flat.html') => openPage(browser.context, join(folder, name));
-
-/** Numbers of selected variants, as the page exports them. */
-async function exported(page) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('.export')]);
-  return readTable(readFileSync(await download.path(), 'utf8'));
-}
-
-/** Chooses a variant in the table. */
-async function choose(page, id) {
-  await page.evaluate((wanted) => { document.querySelector('.table').scrollTop = 28 * wanted; }, id);
-  await page.click(`.tr[data-id="${id}"]`);
-}
-
-/** Gives an axis a range through its menu. */
-async function setRange(page, name, least, most) {
-  await page.click(`.heading[title^="${name}:"]`);
-  await page.fill('dialog.menu input[aria-label="least"]', least);
-  await page.fill('dialog.menu input[aria-label="most"]', most);
-  await page.keyboard.press('Tab');
-  await page.keyboard.press('Escape');
-}
-
-const selectedText = (page) => page.textContent('.count');
-const pictureOf = (page) => page.evaluate(() => document.querySelector('.stage canvas').toDataURL());
-/** Once the page has drawn what it was asked for. */
-const settled = (page) => page.evaluate(() => new Promise((done) => {
-  let frames = 5;
-  const next = () => (--frames ? requestAnimationFrame(next) : done());
-  requestAnimationFrame(next);
-}));
+const opened = (name = 'space.html') => openPage(browser.context, join(folder, name));
 
 test('every number in the page has all bits of that in the store', () => {
   columnNames.forEach((name, k) => {
@@ -60,29 +30,28 @@ test('every number in the page has all bits of that in the store', () => {
     assert.equal(values.length, table.length);
     table.forEach((row, at) => assert.ok(Object.is(values[at], numberOf(row[name])), `${name} of ${row.id}`));
   });
-  const causes = blockNumbers(html, 'cause', Uint16Array), statuses = blockNumbers(html, 'status', Uint8Array);
+  const causes = blockNumbers(html, 'cause', Uint16Array),
+    statuses = blockNumbers(html, 'status', Uint8Array);
   table.forEach((row, at) => {
     assert.equal(about.statuses[statuses[at]], row.status);
     assert.equal(about.causes[causes[at]], row.cause);
   });
 });
 
-test('the page opens without errors and asks the network for nothing', async () => {
-  const { page, problems } = await opened('space.html');
-  await settled(page);
-  assert.deepEqual(problems, []);
-  await page.close();
-});
-
 test('a chosen variant shows its numbers with all their digits', async () => {
   const { page } = await opened();
   for (const id of [0, 7, 299]) {
     await choose(page, id);
-    const shown = await page.$$eval('.numbers tr', (lines) => lines.map((line) => [Number(line.dataset.column), line.querySelector('.value').textContent]));
+    const shown = await page.$$eval('.numbers tr', (lines) =>
+      lines.map((line) => [Number(line.dataset.column), line.querySelector('.value').textContent]),
+    );
     assert.equal(shown.length, columnNames.length);
     shown.forEach(([column, text]) => {
       const wanted = numberOf(table[id][columnNames[column]]);
-      assert.ok(Number.isNaN(wanted) ? text === '–' : Object.is(Number(text), wanted), `${columnNames[column]} of ${id}: ${text}`);
+      assert.ok(
+        Number.isNaN(wanted) ? text === '–' : Object.is(Number(text), wanted),
+        `${columnNames[column]} of ${id}: ${text}`,
+      );
     });
   }
   await page.close();
@@ -90,22 +59,33 @@ test('a chosen variant shows its numbers with all their digits', async () => {
 
 test('numbers in the table have all digits when pointed at', async () => {
   const { page } = await opened();
-  const rows = await page.$$eval('.tbody .tr', (lines) => lines.map((line) => [line.dataset.id, [...line.children].slice(2, 5).map((cell) => cell.title)]));
+  const rows = await page.$$eval('.tbody .tr', (lines) =>
+    lines.map((line) => [line.dataset.id, [...line.children].slice(2, 5).map((cell) => cell.title)]),
+  );
   assert.ok(rows.length > 5);
-  rows.forEach(([id, titles]) => titles.forEach((title, k) => {
-    const wanted = numberOf(table[id][`out:${['bending', 'height', 'length'][k]}`]);
-    assert.ok(Number.isNaN(wanted) ? title === '–' : Object.is(Number(title), wanted));
-  }));
+  rows.forEach(([id, titles]) =>
+    titles.forEach((title, k) => {
+      const wanted = numberOf(table[id][`out:${['bending', 'height', 'length'][k]}`]);
+      assert.ok(Number.isNaN(wanted) ? title === '–' : Object.is(Number(title), wanted));
+    }),
+  );
   await page.close();
 });
 
 test('ranges on several axes select exactly the rows within them', async () => {
   const { page } = await opened();
-  const [low, high, most] = [table[10], table[20], table[30]].map((row) => Number(row['out:bending'])).sort((a, b) => a - b);
+  const [low, high, most] = [table[10], table[20], table[30]]
+    .map((row) => Number(row['out:bending']))
+    .sort((a, b) => a - b);
   await setRange(page, 'bending', String(low), String(most));
   await setRange(page, 'height', '1205', '1215');
-  const wanted = table.filter((row) => numberOf(row['out:bending']) >= low && numberOf(row['out:bending']) <= most &&
-    numberOf(row['out:height']) >= 1205 && numberOf(row['out:height']) <= 1215);
+  const wanted = table.filter(
+    (row) =>
+      numberOf(row['out:bending']) >= low &&
+      numberOf(row['out:bending']) <= most &&
+      numberOf(row['out:height']) >= 1205 &&
+      numberOf(row['out:height']) <= 1215,
+  );
   assert.ok(high > low && wanted.length > 5 && wanted.length < 200);
   assert.equal(await selectedText(page), `${wanted.length} of 300 selected`);
   assert.deepEqual(ids(await exported(page)), ids(wanted));
@@ -118,14 +98,16 @@ test('dragging along an axis selects the rows of that part of it', async () => {
   const { page } = await opened();
   const column = columnNames.indexOf('out:height');
   const box = await page.locator(`.strip[data-column="${column}"]`).boundingBox();
-  const x = box.x + box.width / 2, at = (up) => box.y + (1 - up) * box.height;
+  const x = box.x + box.width / 2,
+    at = (up) => box.y + (1 - up) * box.height;
   await page.mouse.move(x, at(0.25));
   await page.mouse.down();
   await page.mouse.move(x, at(0.6), { steps: 5 });
   await page.mouse.move(x, at(0.75));
   await page.mouse.up();
   const values = table.map((row) => numberOf(row['out:height'])).filter(Number.isFinite);
-  const least = Math.min(...values), range = Math.max(...values) - least;
+  const least = Math.min(...values),
+    range = Math.max(...values) - least;
   const pixel = range / box.height;
   const selected = (await exported(page)).map((row) => Number(row['out:height']));
   const inside = (margin) => values.filter((value) => Math.abs(value - least - range / 2) <= range / 4 + margin).length;
@@ -136,19 +118,24 @@ test('dragging along an axis selects the rows of that part of it', async () => {
 test('an export holds the selected rows as `space table` writes them', async () => {
   const { page } = await opened();
   await page.getByRole('button', { name: /^infeasible/ }).click();
-  const rows = await exported(page), wanted = table.filter((row) => row.status !== 'infeasible');
+  const rows = await exported(page),
+    wanted = table.filter((row) => row.status !== 'infeasible');
   assert.deepEqual(ids(rows), ids(wanted));
-  rows.forEach((row, k) => Object.entries(wanted[k]).forEach(([name, text]) => {
-    if (name === 'status' || name === 'cause') assert.equal(row[name], text);
-    else assert.ok(Object.is(numberOf(row[name]), numberOf(text)), `${name} of ${row.id}`);
-  }));
+  rows.forEach((row, k) =>
+    Object.entries(wanted[k]).forEach(([name, text]) => {
+      if (name === 'status' || name === 'cause') assert.equal(row[name], text);
+      else assert.ok(Object.is(numberOf(row[name]), numberOf(text)), `${name} of ${row.id}`);
+    }),
+  );
   await page.close();
 });
 
 test('the Pareto set is that of the program, for given and for changed objectives', async () => {
   const { page } = await opened();
-  const front = (...words) => JSON.parse(execFileSync(bodyline, ['space', 'space.h5', 'pareto', '--json', ...words], { cwd: folder }))
-    .variants.map(({ id }) => id);
+  const front = (...words) =>
+    JSON.parse(
+      execFileSync(bodyline, ['space', 'space.h5', 'pareto', '--json', ...words], { cwd: folder }),
+    ).variants.map(({ id }) => id);
   await page.getByLabel('Pareto set only').check();
   assert.deepEqual(ids(await exported(page)), front('--minimize', 'bending', '--maximize', 'length'));
   await page.click('.objectives button[aria-label^="length should be large"]');
@@ -164,66 +151,13 @@ test('the table sorts by a column, both ways', async () => {
     await settled(page);
     return page.$eval('.tbody .tr', (line) => line.dataset.id);
   };
-  const measured = table.filter((row) => row['out:bending'] !== '')
+  const measured = table
+    .filter((row) => row['out:bending'] !== '')
     .sort((a, b) => Number(a['out:bending']) - Number(b['out:bending']));
   await page.getByRole('columnheader', { name: 'bending' }).click();
   assert.equal(await first(), measured[0].id);
   await page.getByRole('columnheader', { name: 'bending' }).click();
   assert.equal(await first(), measured.at(-1).id);
-  await page.close();
-});
-
-test('the 3-D view draws the chosen variant, and another one for another', async () => {
-  const { page } = await opened('space.html');
-  await settled(page);
-  const rows = blockNumbers(html, 'body-rows', Int32Array);
-  await choose(page, rows[0]);
-  await settled(page);
-  const first = await pictureOf(page);
-  const drawn = await page.evaluate(() => {
-    const canvas = document.querySelector('.stage canvas'), copy = document.createElement('canvas');
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext('2d');
-    context.drawImage(canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, copy.width, copy.height);
-    return data.filter((_, k) => k % 4 === 3 && data[k] > 0).length / (copy.width * copy.height);
-  });
-  assert.ok(drawn > 0.1 && drawn < 0.9, `${drawn} of the picture is drawn`);
-  await choose(page, rows.at(-1));
-  await settled(page);
-  assert.notEqual(await pictureOf(page), first);
-  await page.close();
-});
-
-test('two variants are compared side by side and overlaid, by their difference', async () => {
-  const { page } = await opened('space.html');
-  const rows = blockNumbers(html, 'body-rows', Int32Array);
-  await choose(page, rows[0]);
-  await page.locator('.variant').getByRole('button', { name: 'Compare' }).click();
-  await choose(page, rows.at(-1));
-  const pictures = new Set();
-  for (const name of ['Paint', 'Curvature', 'Difference']) {
-    for (const layout of ['Apart', 'Overlaid']) {
-      await page.getByRole('button', { name, exact: true }).click();
-      await page.getByRole('button', { name: layout, exact: true }).click();
-      await settled(page);
-      pictures.add(await pictureOf(page));
-    }
-  }
-  assert.equal(pictures.size, 6);
-  assert.match(await page.textContent('.legend'), /mm/);
-  await page.close();
-});
-
-test('the page says which variants have no body, and why', async () => {
-  const { page } = await opened('space.html');
-  const rows = new Set(blockNumbers(html, 'body-rows', Int32Array));
-  const without = table.find((row, k) => row.status === 'valid' && !rows.has(k));
-  await choose(page, Number(without.id));
-  assert.match(await page.textContent('.message'), /holds the bodies of 12 of 300/);
-  const broken = table.find((row) => row.status === 'fullness');
-  await choose(page, Number(broken.id));
-  assert.match(await page.textContent('.message'), /cannot be built: fullness \(roof__rear_window\)/);
   await page.close();
 });
 
@@ -236,8 +170,16 @@ test('the nearest variants are the nearest', async () => {
     return Math.max(...values) - Math.min(...values);
   });
   const away = (row) => Math.hypot(...names.map((name, k) => (Number(row[name]) - Number(table[5][name])) / ranges[k]));
-  const wanted = ids(table.filter(({ id }) => id !== '5').sort((a, b) => away(a) - away(b)).slice(0, 8));
-  assert.deepEqual(await page.$$eval('.neighbours button', (buttons) => buttons.map((button) => Number(button.dataset.id))), wanted);
+  const wanted = ids(
+    table
+      .filter(({ id }) => id !== '5')
+      .sort((a, b) => away(a) - away(b))
+      .slice(0, 8),
+  );
+  assert.deepEqual(
+    await page.$$eval('.neighbours button', (buttons) => buttons.map((button) => Number(button.dataset.id))),
+    wanted,
+  );
   await page.close();
 });
 
@@ -247,9 +189,14 @@ test('the texts of a variant make the same model in two ways', async () => {
   await page.getByRole('button', { name: 'Copy …' }).click();
   const text = (kind) => page.$eval(`.entry[data-kind="${kind}"] textarea`, (area) => area.value);
   const commands = [await text('model'), (await text('set')).replace('space-12.toml', 'set.toml')];
-  commands.forEach((command) => execFileSync('bash', ['-e', '-c', command.replace('bodyline', `'${bodyline}'`)], { cwd: folder }));
+  commands.forEach((command) =>
+    execFileSync('bash', ['-e', '-c', command.replace('bodyline', `'${bodyline}'`)], { cwd: folder }),
+  );
   // Name and notes differ.
-  const numbers = (name) => readFileSync(join(folder, name), 'utf8').replace(/^[^]*?(?=\[curves)/, '').replace(/^note = .*\n/gm, '');
+  const numbers = (name) =>
+    readFileSync(join(folder, name), 'utf8')
+      .replace(/^[^]*?(?=\[curves)/, '')
+      .replace(/^note = .*\n/gm, '');
   assert.equal(numbers('set.toml'), numbers('space-12.toml'));
   assert.deepEqual(readTable(await text('list'))[0].id, '12');
   await page.close();
@@ -279,7 +226,10 @@ test('a heading that is dragged moves its axis', async () => {
   const { page } = await opened();
   const shown = () => page.$$eval('.heading', (headings) => headings.map((heading) => heading.dataset.column));
   const before = await shown();
-  const [from, to] = [await page.locator('.heading').nth(0).boundingBox(), await page.locator('.heading').nth(2).boundingBox()];
+  const [from, to] = [
+    await page.locator('.heading').nth(0).boundingBox(),
+    await page.locator('.heading').nth(2).boundingBox(),
+  ];
   await page.mouse.move(from.x + from.width / 2, from.y + 40);
   await page.mouse.down();
   await page.mouse.move(to.x + to.width / 2, to.y + 40, { steps: 5 });
@@ -290,6 +240,9 @@ test('a heading that is dragged moves its axis', async () => {
 
 test('a sample says that it is one', async () => {
   const { page } = await opened('sample.html');
-  assert.match(await page.textContent('.limits'), /holds 300 variants; the page shows 60, evenly sampled, with the whole Pareto set of small bending and small height\./);
+  assert.match(
+    await page.textContent('.limits'),
+    /holds 300 variants; the page shows 60, evenly sampled, with the whole Pareto set of small bending and small height\./,
+  );
   await page.close();
 });

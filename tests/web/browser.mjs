@@ -7,8 +7,18 @@ import { join } from 'node:path';
 /** The browser that the tests use. */
 export const chromiumPath = process.env.BODYLINE_CHROMIUM ?? '/usr/bin/chromium';
 
-const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const flags = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
 
 /**
  * @param {string} packages folder in which the packages of web/ are installed
@@ -18,8 +28,13 @@ export async function openBrowser(packages, { width = 1280, height = 800, colorS
   const { chromium } = createRequire(join(packages, 'package.json'))('playwright-core');
   const profile = mkdtempSync(join(tmpdir(), 'bodyline-browser-'));
   const context = await chromium.launchPersistentContext(profile, {
-    executablePath: chromiumPath, headless: true, args: flags,
-    viewport: { width, height }, colorScheme, deviceScaleFactor: scale, acceptDownloads: true,
+    executablePath: chromiumPath,
+    headless: true,
+    args: flags,
+    viewport: { width, height },
+    colorScheme,
+    deviceScaleFactor: scale,
+    acceptDownloads: true,
   });
   return {
     context,

@@ -22,16 +22,26 @@ await page.goto(`file://${join(folder, 'report.html')}`);
 await page.locator('#viewer canvas').scrollIntoViewIfNeeded();
 
 /** The drawing, once it is made, and how much of it is covered. */
-const drawing = () => page.evaluate(() => new Promise((done) => {
-  requestAnimationFrame(() => requestAnimationFrame(() => {
-    const canvas = document.querySelector('#viewer canvas'), copy = document.createElement('canvas');
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext('2d');
-    context.drawImage(canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, copy.width, copy.height);
-    done({ url: copy.toDataURL(), covered: data.filter((_, k) => k % 4 === 3 && data[k] > 0).length / (copy.width * copy.height) });
-  }));
-}));
+const drawing = () =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        requestAnimationFrame(() =>
+          requestAnimationFrame(() => {
+            const canvas = document.querySelector('#viewer canvas'),
+              copy = document.createElement('canvas');
+            [copy.width, copy.height] = [canvas.width, canvas.height];
+            const context = copy.getContext('2d');
+            context.drawImage(canvas, 0, 0);
+            const { data } = context.getImageData(0, 0, copy.width, copy.height);
+            done({
+              url: copy.toDataURL(),
+              covered: data.filter((_, k) => k % 4 === 3 && data[k] > 0).length / (copy.width * copy.height),
+            });
+          }),
+        );
+      }),
+  );
 
 test('the report draws the body', async () => {
   const { covered } = await drawing();

@@ -23,12 +23,15 @@ export function makeFolder() {
   return folder;
 }
 
-/** Runs the program in a folder and returns what it prints. */
-export const run = (folder, ...words) => execFileSync(bodyline, words, { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe'] });
+/** Runs the program with words between spaces in a folder and returns what it prints. */
+export const run = (folder, words) =>
+  execFileSync(bodyline, words.split(' '), { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 
 /** A store of so many variants of model 1, SPACE.h5, and all its rows by `space table`. */
 export function makeStore(folder, name, count, rest = '') {
-  writeFileSync(join(folder, `${name}.toml`), `format = 1
+  writeFileSync(
+    join(folder, `${name}.toml`),
+    `format = 1
 name = "${name}"
 model = "${cars}/model1.toml"
 [variables]
@@ -47,15 +50,19 @@ ${rest}
 [sampler]
 kind = "sobol"
 count = ${count}
-`);
-  run(folder, 'explore', `${name}.toml`, '-o', `${name}.h5`);
-  run(folder, 'space', `${name}.h5`, 'table', '-o', `${name}.csv`);
+`,
+  );
+  run(folder, `explore ${name}.toml -o ${name}.h5`);
+  run(folder, `space ${name}.h5 table -o ${name}.csv`);
   return readTable(readFileSync(join(folder, `${name}.csv`), 'utf8'));
 }
 
 /** A CSV file as an array of objects; numbers stay text. */
 export function readTable(text) {
-  const [head, ...lines] = text.trimEnd().split('\n').map((line) => line.split(','));
+  const [head, ...lines] = text
+    .trimEnd()
+    .split('\n')
+    .map((line) => line.split(','));
   return lines.map((line) => Object.fromEntries(head.map((name, k) => [name, line[k]])));
 }
 

@@ -23,12 +23,12 @@ export class Dataset {
 
   /** All values of a column; decoded when they are first asked for. */
   values(column) {
-    return this.values_[column] ??= takeNumbers(`column-${column}`, Float64Array);
+    return (this.values_[column] ??= takeNumbers(`column-${column}`, Float64Array));
   }
 
   /** Least, least positive and largest finite value of a column; none: least > most. */
   range(column) {
-    return this.ranges_[column] ??= rangeOf(this.values(column));
+    return (this.ranges_[column] ??= rangeOf(this.values(column)));
   }
 
   isConstant(column) {
@@ -38,7 +38,8 @@ export class Dataset {
 
   /** The row of a variant of the store, or -1. */
   rowOf(id) {
-    let low = 0, high = this.count - 1;
+    let low = 0,
+      high = this.count - 1;
     while (low <= high) {
       const middle = (low + high) >> 1;
       if (this.ids[middle] === id) return middle;
@@ -64,7 +65,9 @@ export class Dataset {
 }
 
 function rangeOf(values) {
-  let least = Infinity, leastPositive = Infinity, most = -Infinity;
+  let least = Infinity,
+    leastPositive = Infinity,
+    most = -Infinity;
   for (const value of values) {
     if (!Number.isFinite(value)) continue;
     if (value < least) least = value;

@@ -9,7 +9,8 @@ export function takeBytes(id) {
   const text = block.textContent;
   block.textContent = '';
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const letters = atob(text), bytes = new Uint8Array(letters.length);
+  const letters = atob(text),
+    bytes = new Uint8Array(letters.length);
   for (let k = 0; k < letters.length; ++k) bytes[k] = letters.charCodeAt(k);
   return bytes;
 }

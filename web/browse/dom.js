@@ -32,13 +32,19 @@ export function tabs(label, entries, value, choose) {
   const press = (key) => {
     [...group.children].forEach((button) => button.setAttribute('aria-pressed', String(button.dataset.key === key)));
   };
-  entries.forEach(([key, text]) => group.append(element('button', {
-    type: 'button', textContent: text, 'data-key': key,
-    onclick: () => {
-      press(key);
-      choose(key);
-    },
-  })));
+  entries.forEach(([key, text]) =>
+    group.append(
+      element('button', {
+        type: 'button',
+        textContent: text,
+        'data-key': key,
+        onclick: () => {
+          press(key);
+          choose(key);
+        },
+      }),
+    ),
+  );
   press(value);
   return group;
 }

@@ -39,9 +39,12 @@ export class Explorer extends EventTarget {
   usualAxes() {
     const moving = (column) => !this.dataset.isConstant(column);
     const metrics = this.dataset.metricColumns().filter(moving).slice(0, usualColumns);
-    const variables = this.dataset.variableColumns().filter(moving)
+    const variables = this.dataset
+      .variableColumns()
+      .filter(moving)
       .sort((a, b) => this.influence[b] - this.influence[a])
-      .slice(0, Math.max(4, usualColumns - metrics.length)).sort((a, b) => a - b);
+      .slice(0, Math.max(4, usualColumns - metrics.length))
+      .sort((a, b) => a - b);
     const moved = [...variables, ...metrics];
     return moved.length > 0 ? moved : [...this.dataset.columns.keys()].slice(-usualColumns);
   }
@@ -94,15 +97,23 @@ export class Explorer extends EventTarget {
     this.objectives = objectives;
     const { dataset } = this;
     const valid = Int32Array.from(dataset.ids.keys()).filter((row) => dataset.status[row] === 0);
-    this.setPareto_(objectives.length < 2 ? [] : paretoSet(
-      objectives.map(({ column }) => dataset.values(column)),
-      objectives.map(({ minimize }) => minimize), valid));
+    this.setPareto_(
+      objectives.length < 2
+        ? []
+        : paretoSet(
+            objectives.map(({ column }) => dataset.values(column)),
+            objectives.map(({ minimize }) => minimize),
+            valid,
+          ),
+    );
     this.emit('objectives');
   }
 
   setPareto_(rows) {
     this.pareto = rows;
     this.isPareto = new Uint8Array(this.dataset.count);
-    rows.forEach((row) => { this.isPareto[row] = 1; });
+    rows.forEach((row) => {
+      this.isPareto[row] = 1;
+    });
   }
 }

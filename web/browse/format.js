@@ -11,9 +11,10 @@ export function exact(value) {
 export function short(value, digits = 5) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
-  const text = size !== 0 && (size < 1e-3 || size >= 1e7)
-    ? value.toExponential(digits - 1).replace(/\.?0+e/, 'e')
-    : String(Number(value.toPrecision(Math.max(digits, size >= 1 ? Math.floor(Math.log10(size)) + 1 : 0))));
+  const text =
+    size !== 0 && (size < 1e-3 || size >= 1e7)
+      ? value.toExponential(digits - 1).replace(/\.?0+e/, 'e')
+      : String(Number(value.toPrecision(Math.max(digits, size >= 1 ? Math.floor(Math.log10(size)) + 1 : 0))));
   return text.replace(/^-/, minus);
 }
 

@@ -8,11 +8,14 @@
  */
 function distances(dataset, row, columns) {
   const sums = new Float64Array(dataset.count);
-  const moving = columns.filter((column) => !dataset.isConstant(column) &&
-    Number.isFinite(dataset.values(column)[row]));
+  const moving = columns.filter(
+    (column) => !dataset.isConstant(column) && Number.isFinite(dataset.values(column)[row]),
+  );
   for (const column of moving) {
-    const values = dataset.values(column), { least, most } = dataset.range(column);
-    const here = values[row], factor = 1 / (most - least);
+    const values = dataset.values(column),
+      { least, most } = dataset.range(column);
+    const here = values[row],
+      factor = 1 / (most - least);
     for (let other = 0; other < sums.length; ++other) {
       const step = factor * (values[other] - here);
       sums[other] += step * step;

@@ -26,7 +26,8 @@ export class RowFilter {
       this.replace_(column, null);
       return;
     }
-    const [least, most] = range, values = this.dataset.values(column);
+    const [least, most] = range,
+      values = this.dataset.values(column);
     this.replace_(column, (row) => !(values[row] >= least && values[row] <= most));
   }
 

@@ -7,7 +7,8 @@
 
 // Powers of ten, or one, two and five times them when there is room.
 function logTicks(least, most, count) {
-  const first = Math.floor(Math.log10(least)), last = Math.ceil(Math.log10(most));
+  const first = Math.floor(Math.log10(least)),
+    last = Math.ceil(Math.log10(most));
   const factors = (last - first) * 3 <= count ? [1, 2, 5] : [1];
   const step = Math.max(1, Math.ceil((last - first) / count));
   const ticks = [];
@@ -22,9 +23,11 @@ function logTicks(least, most, count) {
 export function linearTicks(least, most, count) {
   const raw = (most - least) / Math.max(1, count);
   if (!(raw > 0)) return [least];
-  const power = Math.floor(Math.log10(raw)), lead = raw / 10 ** power;
+  const power = Math.floor(Math.log10(raw)),
+    lead = raw / 10 ** power;
   const factor = lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10;
-  const step = factor * 10 ** power, ticks = [];
+  const step = factor * 10 ** power,
+    ticks = [];
   for (let k = Math.ceil(least / step - 1e-9); k * step <= most + 1e-9 * step; ++k) {
     ticks.push(Number((k * step).toPrecision(12)));
   }
@@ -45,10 +48,14 @@ export function makeScale(range, log) {
     const margin = Math.abs(least) * 0.01 || 1;
     [least, most] = [least - margin, most + margin];
   }
-  const forward = logarithmic ? Math.log : (x) => x, back = logarithmic ? Math.exp : (x) => x;
-  const from = forward(least), span = forward(most) - from;
+  const forward = logarithmic ? Math.log : (x) => x,
+    back = logarithmic ? Math.exp : (x) => x;
+  const from = forward(least),
+    span = forward(most) - from;
   return {
-    log: logarithmic, least, most,
+    log: logarithmic,
+    least,
+    most,
     place: (value) => (forward(value) - from) / span,
     value: (place) => (place <= 0 ? least : place >= 1 ? most : back(from + place * span)),
     ticks: (count) => (logarithmic ? logTicks : linearTicks)(least, most, count),

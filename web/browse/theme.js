@@ -13,7 +13,7 @@ export class Theme {
     this.dark = matchMedia('(prefers-color-scheme: dark)');
     /** Colour of a shade from 0 to 255; the ends that are hard to see on the page are left out. */
     this.palette = (shade) => {
-      const part = this.dark.matches ? 0.2 + 0.8 * shade / 255 : 0.88 * shade / 255;
+      const part = this.dark.matches ? 0.2 + (0.8 * shade) / 255 : (0.88 * shade) / 255;
       const at = 3 * Math.round(part * (steps.length / 3 - 1));
       return [steps[at], steps[at + 1], steps[at + 2]];
     };
@@ -38,7 +38,8 @@ export class Theme {
     const { dataset } = explorer;
     const scale = makeScale(dataset.range(column), explorer.log.has(column));
     return Uint8Array.from(dataset.values(column), (value) =>
-      Math.round(255 * Math.min(1, Math.max(0, scale.place(value) || 0))));
+      Math.round(255 * Math.min(1, Math.max(0, scale.place(value) || 0))),
+    );
   }
 
   /** A CSS gradient of a palette given by a function from 0 to 1 to colours. */

@@ -5,7 +5,9 @@ import { Drawing } from './body/drawing.js';
 import { readJson } from './decode.js';
 import { short } from './format.js';
 
-const width = 176, height = 99, cells = 6;
+const width = 176,
+  height = 99,
+  cells = 6;
 const density = Math.min(2, window.devicePixelRatio || 1);
 
 export class WallView {
@@ -21,13 +23,21 @@ export class WallView {
     const rows = [...new Set([...Object.keys(this.pictures).map(Number), ...bodies.rows])].sort((a, b) => a - b);
     this.note = element('span', { class: 'soft' });
     this.grid = element('div', { class: 'wall' });
-    this.root = element('section', { class: 'card walled', 'aria-label': 'Pictures' },
-      element('div', { class: 'controls' }, element('h2', { textContent: 'Pictures' }), this.note), this.grid);
+    this.root = element(
+      'section',
+      { class: 'card walled', 'aria-label': 'Pictures' },
+      element('div', { class: 'controls' }, element('h2', { textContent: 'Pictures' }), this.note),
+      this.grid,
+    );
     this.tiles = new Map(rows.map((row) => [row, this.tile_(row)]));
     this.grid.append(...this.tiles.values());
-    this.watcher = new IntersectionObserver((entries) => entries.forEach((entry) => {
-      if (entry.isIntersecting) this.paint_(Number(entry.target.dataset.row));
-    }), { rootMargin: '200px' });
+    this.watcher = new IntersectionObserver(
+      (entries) =>
+        entries.forEach((entry) => {
+          if (entry.isIntersecting) this.paint_(Number(entry.target.dataset.row));
+        }),
+      { rootMargin: '200px' },
+    );
     this.tiles.forEach((tile) => this.watcher.observe(tile));
     /** Rows whose tiles are to be drawn. @type {number[]} */
     this.waiting = [];
@@ -38,16 +48,28 @@ export class WallView {
   }
 
   tile_(row) {
-    const { explorer } = this, { dataset } = explorer, id = dataset.ids[row];
+    const { explorer } = this,
+      { dataset } = explorer,
+      id = dataset.ids[row];
     const picture = this.pictures[row]
       ? element('img', { src: `data:image/png;base64,${this.pictures[row]}`, alt: '' })
       : element('canvas', { width: width * density, height: height * density });
     const metric = dataset.metricColumns()[0];
     const caption = metric === undefined ? '' : ` ${short(dataset.values(metric)[row], 4)}`;
-    return element('button', {
-      type: 'button', class: 'tile', 'data-row': String(row), 'aria-label': `Variant ${id}`, onclick: () => explorer.choose(row),
-      onpointerenter: () => explorer.point(row), onpointerleave: () => explorer.point(-1),
-    }, picture, element('span', {}, element('b', { textContent: `#${id}` }), caption));
+    return element(
+      'button',
+      {
+        type: 'button',
+        class: 'tile',
+        'data-row': String(row),
+        'aria-label': `Variant ${id}`,
+        onclick: () => explorer.choose(row),
+        onpointerenter: () => explorer.point(row),
+        onpointerleave: () => explorer.point(-1),
+      },
+      picture,
+      element('span', {}, element('b', { textContent: `#${id}` }), caption),
+    );
   }
 
   mark_() {
@@ -61,8 +83,9 @@ export class WallView {
       tile.classList.toggle('pareto', explorer.isPareto[row] === 1);
     });
     const metric = explorer.dataset.metricColumns()[0];
-    this.note.textContent = `${count} of the selected variants have a picture${metric === undefined ? ''
-      : `; the number is ${explorer.dataset.columns[metric].name}`}.`;
+    this.note.textContent = `${count} of the selected variants have a picture${
+      metric === undefined ? '' : `; the number is ${explorer.dataset.columns[metric].name}`
+    }.`;
   }
 
   // Draws a tile when it comes into sight.
@@ -76,7 +99,8 @@ export class WallView {
 
   // One tile to a frame; true when more wait.
   paintNext_() {
-    const row = this.waiting.shift(), stage = this.stage_();
+    const row = this.waiting.shift(),
+      stage = this.stage_();
     if (!stage || row === undefined) return false;
     const { scenes } = this.drawing.scenes([row], { look: 'paint', layout: 'side', cells });
     stage.draw(scenes, home);

@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
 import { gridTriangles } from '../surface/tessellate.js';
 
-const perVertex = 8;  // x, y, z, value, normal x, y, z, known
+const perVertex = 8; // x, y, z, value, normal x, y, z, known
 
 /** The bytes of a data block of the page. */
 export function bytesOf(id) {
@@ -12,7 +12,8 @@ export function bytesOf(id) {
 
 function addAttributes(geometry, id, suffix) {
   const buffer = new InterleavedBuffer(new Int16Array(bytesOf(id).buffer), perVertex);
-  const add = (name, size, offset) => geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset, true));
+  const add = (name, size, offset) =>
+    geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset, true));
   add(`position${suffix}`, 3, 0);
   add(`value${suffix}`, 1, 3);
   add(`normal${suffix}`, 3, 4);

@@ -11,12 +11,15 @@ function viewer(section) {
   try {
     stage = new Stage(canvas);
   } catch {
-    return;  // without WebGL the section stays hidden
+    return; // without WebGL the section stays hidden
   }
   section.hidden = false;
   const { cells, mirrored, stripe, look } = section.dataset;
   const material = bodyMaterial(scaleTexture(bytesOf('map-colors')), { period: Number(stripe), blended: true });
-  const geometry = blendedGeometry(Number(cells), [...mirrored].map((flag) => flag === '1'));
+  const geometry = blendedGeometry(
+    Number(cells),
+    [...mirrored].map((flag) => flag === '1'),
+  );
   const scenes = [sceneOf([{ ...geometry, material }])];
   const view = { ...home };
   let waiting = false;
@@ -35,11 +38,15 @@ function viewer(section) {
     material.uniforms.blend.value = Number(blend.value);
     redraw();
   });
-  window.reportTabs([...section.querySelectorAll('.tabs button')], (index) => {
-    material.uniforms.look.value = index;
-    section.querySelector('.scale').hidden = index !== 2;
-    redraw();
-  }, Number(look));
+  window.reportTabs(
+    [...section.querySelectorAll('.tabs button')],
+    (index) => {
+      material.uniforms.look.value = index;
+      section.querySelector('.scale').hidden = index !== 2;
+      redraw();
+    },
+    Number(look),
+  );
   new ResizeObserver(() => {
     stage.fit();
     redraw();

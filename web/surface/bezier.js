@@ -17,11 +17,13 @@ export function bernstein(degree, t) {
     const last = rows[n - 1];
     rows.push(Array.from({ length: n + 1 }, (_, i) => (1 - t) * (last[i] ?? 0) + t * (last[i - 1] ?? 0)));
   }
-  const lower = rows[degree - 1] ?? [0], lowest = rows[degree - 2] ?? [];
+  const lower = rows[degree - 1] ?? [0],
+    lowest = rows[degree - 2] ?? [];
   const at = (row, i) => row[i] ?? 0;
   const first = rows[degree].map((_, i) => degree * (at(lower, i - 1) - at(lower, i)));
-  const second = rows[degree].map((_, i) => degree * (degree - 1) *
-    (at(lowest, i - 2) - 2 * at(lowest, i - 1) + at(lowest, i)));
+  const second = rows[degree].map(
+    (_, i) => degree * (degree - 1) * (at(lowest, i - 2) - 2 * at(lowest, i - 1) + at(lowest, i)),
+  );
   return [rows[degree], first, second];
 }
 
@@ -33,11 +35,14 @@ export function gregory(u, v) {
   const s = u * u + v * v;
   if (s === 0) return [0, 0, 0, 0, 0, 0];
   const p = (t) => [t * (1 - t) ** 2, (1 - t) * (1 - 3 * t), 6 * t - 4];
-  const [p0, p1, p2] = p(u), [q0, q1, q2] = p(v);
-  const r = (u * u - v * v) / s, ru = 4 * u * v * v / s ** 2, rv = -4 * u * u * v / s ** 2;
-  const ruu = 4 * v * v * (v * v - 3 * u * u) / s ** 3;
-  const ruv = 8 * u * v * (u * u - v * v) / s ** 3;
-  const rvv = -4 * u * u * (u * u - 3 * v * v) / s ** 3;
+  const [p0, p1, p2] = p(u),
+    [q0, q1, q2] = p(v);
+  const r = (u * u - v * v) / s,
+    ru = (4 * u * v * v) / s ** 2,
+    rv = (-4 * u * u * v) / s ** 2;
+  const ruu = (4 * v * v * (v * v - 3 * u * u)) / s ** 3;
+  const ruv = (8 * u * v * (u * u - v * v)) / s ** 3;
+  const rvv = (-4 * u * u * (u * u - 3 * v * v)) / s ** 3;
   return [
     p0 * q0 * r,
     q0 * (p1 * r + p0 * ru),
@@ -51,7 +56,14 @@ export function gregory(u, v) {
 /** How many numbers a jet has: S, Su, Sv, Suu, Suv, Svv, three each. */
 export const jetSize = 18;
 // Of each: the order of the derivative in u and in v.
-const orders = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]];
+const orders = [
+  [0, 0],
+  [1, 0],
+  [0, 1],
+  [2, 0],
+  [1, 1],
+  [0, 2],
+];
 
 /**
  * The jet of a face where its Bernstein polynomials have the values `bu` and `bv`.

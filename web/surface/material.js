@@ -72,7 +72,7 @@ const fragmentShader = `
  * @param {Uint8Array} rgb
  */
 export function scaleTexture(rgb) {
-  const rgba = new Uint8Array(rgb.length / 3 * 4).fill(255);
+  const rgba = new Uint8Array((rgb.length / 3) * 4).fill(255);
   for (let k = 0; k < rgb.length / 3; ++k) rgba.set(rgb.subarray(3 * k, 3 * k + 3), 4 * k);
   const texture = new DataTexture(rgba, rgb.length / 3, 1, RGBAFormat);
   texture.minFilter = texture.magFilter = LinearFilter;
@@ -86,11 +86,17 @@ export function scaleTexture(rgb) {
  */
 export function bodyMaterial(scale, { period, blended = false }) {
   return new ShaderMaterial({
-    vertexShader, fragmentShader, side: DoubleSide,
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
     defines: blended ? { BLENDED: '' } : {},
     uniforms: {
-      scale: { value: scale }, period: { value: period }, look: { value: looks.paint },
-      blend: { value: 1 }, opacity: { value: 1 }, tint: { value: new Vector3(0.46, 0.55, 0.66) },
+      scale: { value: scale },
+      period: { value: period },
+      look: { value: looks.paint },
+      blend: { value: 1 },
+      opacity: { value: 1 },
+      tint: { value: new Vector3(0.46, 0.55, 0.66) },
     },
   });
 }

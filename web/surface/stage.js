@@ -1,8 +1,10 @@
 // A canvas on which bodies stand, and the camera that goes around them.
 import { Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 
-const distance = 5, near = 3, far = 7;
-const lift = 0.1;  // of half the height: the body stands a little above the middle
+const distance = 5,
+  near = 3,
+  far = 7;
+const lift = 0.1; // of half the height: the body stands a little above the middle
 const upright = new Vector3(0, 0, 1);
 
 /** Where a camera looks from, in degrees: azimuth 0 from the front. */
@@ -10,7 +12,9 @@ export const home = { azimuth: 38, elevation: 16, zoom: 2.15 };
 
 /** Points a perspective camera at the middle of a body of half size 1. */
 function aim(camera, view, aspect) {
-  const radians = Math.PI / 180, a = view.azimuth * radians, e = view.elevation * radians;
+  const radians = Math.PI / 180,
+    a = view.azimuth * radians,
+    e = view.elevation * radians;
   camera.up = upright;
   camera.position.set(-Math.cos(a) * Math.cos(e), -Math.sin(a) * Math.cos(e), Math.sin(e));
   camera.position.multiplyScalar(distance);
@@ -19,7 +23,7 @@ function aim(camera, view, aspect) {
   camera.near = near;
   camera.far = far;
   camera.aspect = aspect;
-  camera.fov = 2 * Math.atan(1 / focal) / radians;
+  camera.fov = (2 * Math.atan(1 / focal)) / radians;
   camera.updateProjectionMatrix();
   camera.projectionMatrix.elements[9] -= lift;
   camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
@@ -59,8 +63,10 @@ export class Stage {
    * @param {typeof home} view
    */
   draw(scenes, view) {
-    const count = scenes.length, stacked = this.isStacked(count);
-    const width = stacked ? this.width : this.width / count, height = stacked ? this.height / count : this.height;
+    const count = scenes.length,
+      stacked = this.isStacked(count);
+    const width = stacked ? this.width : this.width / count,
+      height = stacked ? this.height / count : this.height;
     aim(this.camera, view, width / height);
     this.renderer.setScissorTest(true);
     scenes.forEach((scene, k) => {
@@ -81,7 +87,8 @@ export class Stage {
 export function sceneOf(bodies) {
   const scene = new Scene();
   bodies.forEach(({ whole, mirrored, material }) => {
-    const left = new Mesh(whole, material), right = new Mesh(mirrored, material);
+    const left = new Mesh(whole, material),
+      right = new Mesh(mirrored, material);
     right.scale.y = -1;
     left.frustumCulled = right.frustumCulled = false;
     scene.add(left, right);

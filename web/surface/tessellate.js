@@ -15,10 +15,12 @@ export function gridTables(faces, cells) {
   const degrees = new Set(faces.flatMap((face) => [face.degreeU, face.degreeV]));
   const edges = Array.from({ length: cells + 1 }, (_, i) => i / cells);
   const inner = edges.map((t) => Math.min(1 - inset, Math.max(inset, t)));
-  const bases = (parameters) => new Map([...degrees].map(
-    (degree) => [degree, parameters.map((t) => bernstein(degree, t))]));
+  const bases = (parameters) =>
+    new Map([...degrees].map((degree) => [degree, parameters.map((t) => bernstein(degree, t))]));
   return {
-    cells, edges: bases(edges), inner: bases(inner),
+    cells,
+    edges: bases(edges),
+    inner: bases(inner),
     blends: edges.map((u) => edges.map((v) => gregory(u, v))),
     innerBlends: inner.map((u) => inner.map((v) => gregory(u, v))),
   };
@@ -28,13 +30,17 @@ export function gridTables(faces, cells) {
 // mean curvature in 1/m, positive for a sphere.
 function normalAndCurvature(jet, inward, normal) {
   const [, , , ax, ay, az, bx, by, bz] = jet;
-  let x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
+  let x = ay * bz - az * by,
+    y = az * bx - ax * bz,
+    z = ax * by - ay * bx;
   const size = Math.hypot(x, y, z) || 1;
   x /= size;
   y /= size;
   z /= size;
   const dot = (k) => x * jet[k] + y * jet[k + 1] + z * jet[k + 2];
-  const e = ax * ax + ay * ay + az * az, f = ax * bx + ay * by + az * bz, g = bx * bx + by * by + bz * bz;
+  const e = ax * ax + ay * ay + az * az,
+    f = ax * bx + ay * by + az * bz,
+    g = bx * bx + by * by + bz * bz;
   const mean = (e * dot(15) - 2 * f * dot(12) + g * dot(9)) / (2 * (e * g - f * f));
   const side = inward ? -1 : 1;
   normal[0] = side * x;
@@ -52,10 +58,14 @@ function normalAndCurvature(jet, inward, normal) {
  *   of every face (cells + 1)^2 vertices, v fastest; mm, 1/m, and |S_u x S_v| in mm2
  */
 export function tessellate(faces, points, tables) {
-  const side = tables.cells + 1, count = faces.length * side * side;
-  const positions = new Float32Array(3 * count), normals = new Float32Array(3 * count);
-  const curvatures = new Float32Array(count), areas = new Float32Array(count);
-  const jet = new Float64Array(jetSize), normal = [0, 0, 0, 0];
+  const side = tables.cells + 1,
+    count = faces.length * side * side;
+  const positions = new Float32Array(3 * count),
+    normals = new Float32Array(3 * count);
+  const curvatures = new Float32Array(count),
+    areas = new Float32Array(count);
+  const jet = new Float64Array(jetSize),
+    normal = [0, 0, 0, 0];
   let at = 0;
   for (const face of faces) {
     const [edgeU, edgeV] = [tables.edges.get(face.degreeU), tables.edges.get(face.degreeV)];
@@ -82,7 +92,8 @@ export function gridTriangles(faces, cells, takes = () => true) {
     if (!takes(face)) return;
     for (let i = 0; i < cells; ++i) {
       for (let j = 0; j < cells; ++j) {
-        const a = f * side * side + i * side + j, b = a + side;
+        const a = f * side * side + i * side + j,
+          b = a + side;
         indices.push(a, a + 1, b, b, a + 1, b + 1);
       }
     }

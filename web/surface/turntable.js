@@ -1,7 +1,8 @@
 // Turns a view with pointer, wheel and keys.
 import { home } from './stage.js';
 
-const least = 0.6, most = 6;
+const least = 0.6,
+  most = 6;
 
 /**
  * @param {HTMLCanvasElement} canvas that can have the focus
@@ -26,11 +27,15 @@ export function turntable(canvas, view, redraw) {
     turn(0.35 * (event.clientX - last.clientX), 0.35 * (event.clientY - last.clientY));
     last = event;
   });
-  canvas.addEventListener('wheel', (event) => {
-    if (!event.ctrlKey) return;
-    event.preventDefault();
-    zoomBy(Math.exp(-0.004 * event.deltaY));
-  }, { passive: false });
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      zoomBy(Math.exp(-0.004 * event.deltaY));
+    },
+    { passive: false },
+  );
   canvas.addEventListener('dblclick', () => {
     Object.assign(view, home);
     redraw();

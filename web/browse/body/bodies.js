@@ -3,7 +3,7 @@ import { placeFaces } from '../../surface/bezier.js';
 import { gridTables, gridTriangles, tessellate } from '../../surface/tessellate.js';
 import { takeNumbers } from '../decode.js';
 
-const mostKept = 8;  // tessellations
+const mostKept = 8; // tessellations
 
 export class Bodies {
   /** @param {import('../dataset.js').Dataset} dataset */
@@ -42,8 +42,8 @@ export class Bodies {
 
   /** A row's body as grids of vertices. */
   surface(row, cells) {
-    const key = `${row} ${cells}`, kept = this.kept.get(key) ??
-      tessellate(this.faces, this.net(row), this.grid(cells).tables);
+    const key = `${row} ${cells}`,
+      kept = this.kept.get(key) ?? tessellate(this.faces, this.net(row), this.grid(cells).tables);
     this.kept.delete(key);
     this.kept.set(key, kept);
     if (this.kept.size > mostKept) this.kept.delete(this.kept.keys().next().value);
@@ -53,7 +53,8 @@ export class Bodies {
 
 // A common frame for all bodies, so that sizes can be compared; centred in the plane of symmetry.
 function frameOf(points) {
-  const least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
+  const least = [Infinity, Infinity, Infinity],
+    most = [-Infinity, -Infinity, -Infinity];
   for (let k = 0; k < points.length; ++k) {
     const axis = k % 3;
     least[axis] = Math.min(least[axis], points[k]);

@@ -5,8 +5,9 @@ import { sceneOf } from '../../surface/stage.js';
 import { geometryOf } from './geometry.js';
 import { curvatureMap, differenceMap } from './maps.js';
 
-const stripe = 7.5;  // degrees of a zebra stripe
-const paint = new Vector3(0.46, 0.55, 0.66), other = new Vector3(0.78, 0.55, 0.34);
+const stripe = 7.5; // degrees of a zebra stripe
+const paint = new Vector3(0.46, 0.55, 0.66),
+  other = new Vector3(0.78, 0.55, 0.34);
 
 export class Drawing {
   /** @param {import('./bodies.js').Bodies} bodies @param {Uint8Array} colours RGB of the map */
@@ -26,13 +27,18 @@ export class Drawing {
     const { bodies } = this;
     this.old.forEach((thing) => thing.dispose());
     const surfaces = rows.map((row) => bodies.surface(row, cells));
-    const map = look === 'curvature' ? curvatureMap(surfaces)
-      : look === 'difference' && rows.length === 2 ? differenceMap(surfaces) : null;
+    const map =
+      look === 'curvature'
+        ? curvatureMap(surfaces)
+        : look === 'difference' && rows.length === 2
+          ? differenceMap(surfaces)
+          : null;
     const made = surfaces.map((surface, k) => {
       const values = map ? map.values[k] : new Float32Array(surface.curvatures.length);
       const geometry = geometryOf(surface, bodies.grid(cells), bodies.frame, values);
-      const material = this.materials[k], { uniforms } = material;
-      uniforms.look.value = map && !(look === 'difference' && k === 1) ? looks.map : looks[look] ?? looks.paint;
+      const material = this.materials[k],
+        { uniforms } = material;
+      uniforms.look.value = map && !(look === 'difference' && k === 1) ? looks.map : (looks[look] ?? looks.paint);
       uniforms.opacity.value = 1;
       Object.assign(material, { transparent: false, depthWrite: true });
       return { ...geometry, material };

@@ -27,6 +27,7 @@ export function geometryOf(surface, grid, frame, values) {
     Object.entries(attributes).forEach(([name, attribute]) => geometry.setAttribute(name, attribute));
     return geometry.setIndex(new BufferAttribute(triangles, 1));
   };
-  const whole = made(grid.whole), mirrored = made(grid.mirrored);
+  const whole = made(grid.whole),
+    mirrored = made(grid.mirrored);
   return { whole, mirrored, dispose: () => [whole, mirrored].forEach((geometry) => geometry.dispose()) };
 }

@@ -10,16 +10,23 @@ import { titled } from '../format.js';
  */
 export function openAxisMenu(explorer, column, near) {
   const { dataset, filter } = explorer;
-  const about = dataset.columns[column], range = filter.ranges.get(column) ?? ['', ''];
+  const about = dataset.columns[column],
+    range = filter.ranges.get(column) ?? ['', ''];
   const toggle = (set, on) => {
     if (on) set.add(column);
     else set.delete(column);
     explorer.emit('columns');
   };
-  const limit = (label, value) => element('input', {
-    type: 'number', step: 'any', value, 'aria-label': label, placeholder: label,
-  });
-  const least = limit('least', range[0]), most = limit('most', range[1]);
+  const limit = (label, value) =>
+    element('input', {
+      type: 'number',
+      step: 'any',
+      value,
+      'aria-label': label,
+      placeholder: label,
+    });
+  const least = limit('least', range[0]),
+    most = limit('most', range[1]);
   const apply = () => {
     const low = least.value === '' ? -Infinity : Number(least.value);
     const high = most.value === '' ? Infinity : Number(most.value);
@@ -27,31 +34,47 @@ export function openAxisMenu(explorer, column, near) {
   };
   [least, most].forEach((input) => input.addEventListener('change', apply));
   const move = (step) => {
-    const axes = [...explorer.axes], at = axes.indexOf(column), to = at + step;
+    const axes = [...explorer.axes],
+      at = axes.indexOf(column),
+      to = at + step;
     if (to < 0 || to >= axes.length) return;
     [axes[at], axes[to]] = [axes[to], axes[at]];
     explorer.setAxes(axes);
   };
   const button = (text, act) => element('button', { type: 'button', textContent: text, onclick: act });
   const close = () => dialog.close();
-  const dialog = element('dialog', { class: 'menu', 'aria-label': about.name },
+  const dialog = element(
+    'dialog',
+    { class: 'menu', 'aria-label': about.name },
     element('strong', { textContent: titled(about) }),
     element('div', { class: 'row' }, least, '–', most),
     tick('Logarithmic', explorer.log.has(column), (on) => toggle(explorer.log, on)),
     tick('Turned over', explorer.flipped.has(column), (on) => toggle(explorer.flipped, on)),
-    element('div', { class: 'row' }, button('← Move', () => move(-1)), button('Move →', () => move(1))),
-    element('div', { class: 'row' },
+    element(
+      'div',
+      { class: 'row' },
+      button('← Move', () => move(-1)),
+      button('Move →', () => move(1)),
+    ),
+    element(
+      'div',
+      { class: 'row' },
       button('Colour by it', () => explorer.setColour(explorer.colour === column ? -1 : column)),
       button('Hide', () => {
         explorer.setAxes(explorer.axes.filter((other) => other !== column));
         close();
-      })),
-    element('div', { class: 'row' },
+      }),
+    ),
+    element(
+      'div',
+      { class: 'row' },
       button('Clear range', () => {
         least.value = most.value = '';
         explorer.setRange(column, null);
       }),
-      button('Close', close)));
+      button('Close', close),
+    ),
+  );
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) close();
   });

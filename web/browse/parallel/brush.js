@@ -1,6 +1,6 @@
 // Choosing a range on an axis with the pointer.
 
-const edge = 6;  // pixels around an end of a range in which it can be taken
+const edge = 6; // pixels around an end of a range in which it can be taken
 
 /**
  * What a press at `y` takes of a range from `top` to `bottom`.
@@ -26,7 +26,8 @@ export function brush(strip, { height, get, set }) {
   strip.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     strip.setPointerCapture(event.pointerId);
-    const y = placeOf(event), range = get();
+    const y = placeOf(event),
+      range = get();
     pressed = { y, range, grip: grip(y, range), moved: false };
     event.preventDefault();
   });
@@ -44,7 +45,9 @@ export function brush(strip, { height, get, set }) {
     if (pressed && !pressed.moved) set(null);
     pressed = null;
   });
-  strip.addEventListener('pointercancel', () => { pressed = null; });
+  strip.addEventListener('pointercancel', () => {
+    pressed = null;
+  });
 }
 
 function moved({ y: start, range, grip: taken }, y, height) {

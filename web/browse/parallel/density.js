@@ -26,12 +26,15 @@ export class Density {
    * @param {number} shade of the line, whole
    */
   add(left, right, from, to, sign, shade) {
-    const { counts, shades, height } = this, weighted = sign * shade;
+    const { counts, shades, height } = this,
+      weighted = sign * shade;
     const slope = (to - from) / (right - left);
-    let y = from, column = left * height;
+    let y = from,
+      column = left * height;
     for (let x = left; x < right; ++x, column += height) {
       const next = x + 1 === right ? to : y + slope;
-      let low = y | 0, high = next | 0;
+      let low = y | 0,
+        high = next | 0;
       if (low > high) [low, high] = [high, low];
       // One pixel, or all that the line passes on its way through the column but the last.
       const end = column + (high > low ? high : low + 1);
@@ -45,7 +48,8 @@ export class Density {
 
   /** Mean number of lines of the pixels that have any. */
   usual() {
-    let sum = 0, pixels = 0;
+    let sum = 0,
+      pixels = 0;
     for (const count of this.counts) {
       sum += count;
       if (count > 0) pixels += 1;
@@ -60,20 +64,22 @@ export class Density {
    */
   picture(colour, faintest) {
     const { width, height, counts, shades } = this;
-    const image = new ImageData(width, height), pixels = new Uint32Array(image.data.buffer);
+    const image = new ImageData(width, height),
+      pixels = new Uint32Array(image.data.buffer);
     const table = Uint32Array.from({ length: 256 }, (_, shade) => {
       const [red, green, blue] = colour(shade);
-      return red | green << 8 | blue << 16;
+      return red | (green << 8) | (blue << 16);
     });
     const full = Math.max(8, 4 * this.usual());
-    const opacity = Uint8Array.from({ length: Math.ceil(full) + 1 }, (_, count) => Math.round(
-      255 * Math.min(1, faintest + (1 - faintest) * Math.sqrt(Math.max(0, count - 1) / full))));
+    const opacity = Uint8Array.from({ length: Math.ceil(full) + 1 }, (_, count) =>
+      Math.round(255 * Math.min(1, faintest + (1 - faintest) * Math.sqrt(Math.max(0, count - 1) / full))),
+    );
     for (let x = 0, at = 0; x < width; ++x) {
       for (let y = 0; y < height; ++y, ++at) {
         const count = counts[at];
         if (count <= 0) continue;
         const alpha = count < opacity.length ? opacity[count] : 255;
-        pixels[y * width + x] = (table[(shades[at] / count) | 0] | alpha << 24) >>> 0;
+        pixels[y * width + x] = (table[(shades[at] / count) | 0] | (alpha << 24)) >>> 0;
       }
     }
     return image;

@@ -2,7 +2,7 @@
 import { element } from '../dom.js';
 import { openAxisMenu } from './axis_menu.js';
 
-const most = 112;  // pixels; the outermost ones stay within the margin
+const most = 112; // pixels; the outermost ones stay within the margin
 
 /**
  * @param {import('../explorer.js').Explorer} explorer
@@ -11,10 +11,17 @@ const most = 112;  // pixels; the outermost ones stay within the margin
  */
 export function heading(explorer, axis, spacing) {
   const about = explorer.dataset.columns[axis.column];
-  const button = element('button', {
-    type: 'button', class: about.metric ? 'heading metric' : 'heading', title: `${about.name}: drag to move, press for more`,
-    'data-column': String(axis.column), 'aria-haspopup': 'dialog',
-  }, element('span', { textContent: about.name }));
+  const button = element(
+    'button',
+    {
+      type: 'button',
+      class: about.metric ? 'heading metric' : 'heading',
+      title: `${about.name}: drag to move, press for more`,
+      'data-column': String(axis.column),
+      'aria-haspopup': 'dialog',
+    },
+    element('span', { textContent: about.name }),
+  );
   if (about.unit && about.unit !== '1') button.append(element('small', { textContent: about.unit }));
   button.style.left = `${axis.x}px`;
   button.style.width = `${Math.min(spacing - 6, most)}px`;
@@ -37,7 +44,8 @@ function drag(button, explorer, axis, spacing) {
   });
   button.addEventListener('pointerup', (event) => {
     if (!start?.moved) return;
-    const axes = [...explorer.axes], at = axes.indexOf(axis.column);
+    const axes = [...explorer.axes],
+      at = axes.indexOf(axis.column);
     const to = Math.min(axes.length - 1, Math.max(0, at + Math.round((event.clientX - start.x) / spacing)));
     axes.splice(at, 1);
     axes.splice(to, 0, axis.column);

@@ -1,7 +1,8 @@
 // Where axes stand and how values lie on them.
 import { makeScale } from '../scale.js';
 
-const margin = 58, leastSpacing = 84;
+const margin = 58,
+  leastSpacing = 84;
 
 /**
  * @typedef {{column: number, x: number, scale: import('../scale.js').Scale, flipped: boolean,
@@ -18,9 +19,13 @@ export function layOut(explorer, available) {
   const gaps = Math.max(1, explorer.axes.length - 1);
   const spacing = Math.max(leastSpacing, Math.floor((available - 2 * margin) / gaps));
   const axes = explorer.axes.map((column, k) => {
-    const scale = makeScale(dataset.range(column), log.has(column)), turned = flipped.has(column);
+    const scale = makeScale(dataset.range(column), log.has(column)),
+      turned = flipped.has(column);
     return {
-      column, x: margin + k * spacing, scale, flipped: turned,
+      column,
+      x: margin + k * spacing,
+      scale,
+      flipped: turned,
       up: (value) => (turned ? 1 - scale.place(value) : scale.place(value)),
       value: (up) => scale.value(turned ? 1 - up : up),
     };
@@ -30,9 +35,12 @@ export function layOut(explorer, available) {
 
 /** Pixels from the top of all rows on an axis; NaN for rows that have no place on it. */
 export function placeRows(axis, values, height) {
-  const places = new Float32Array(values.length), { scale, flipped } = axis, bottom = height - 1;
+  const places = new Float32Array(values.length),
+    { scale, flipped } = axis,
+    bottom = height - 1;
   for (let row = 0; row < values.length; ++row) {
-    const place = scale.place(values[row]), up = flipped ? 1 - place : place;
+    const place = scale.place(values[row]),
+      up = flipped ? 1 - place : place;
     places[row] = up >= -1e-9 && up <= 1 + 1e-9 ? Math.min(bottom, Math.max(0, (1 - up) * bottom)) : NaN;
   }
   return places;

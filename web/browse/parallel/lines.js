@@ -36,8 +36,11 @@ export class Lines {
 
   /** Draws towards a mask for some milliseconds; true when more is to be done. */
   advance(mask, milliseconds) {
-    const { drawn } = this, count = drawn.length, end = performance.now() + milliseconds;
-    let left = count, changed = 0;
+    const { drawn } = this,
+      count = drawn.length,
+      end = performance.now() + milliseconds;
+    let left = count,
+      changed = 0;
     while (left > 0) {
       const row = this.next;
       if (drawn[row] !== mask[row]) {
@@ -57,9 +60,11 @@ export class Lines {
   }
 
   drawRow_(row, sign) {
-    const { axes, density } = this, shade = this.shade ? this.shade[row] : 0;
+    const { axes, density } = this,
+      shade = this.shade ? this.shade[row] : 0;
     for (let k = 0; k + 1 < axes.length; ++k) {
-      const from = axes[k].y[row], to = axes[k + 1].y[row];
+      const from = axes[k].y[row],
+        to = axes[k + 1].y[row];
       if (from === from && to === to) density.add(axes[k].x, axes[k + 1].x, from, to, sign, shade);
     }
   }

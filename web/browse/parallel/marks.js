@@ -36,8 +36,8 @@ export function drawMarks(context, axes, yOf, explorer, theme) {
     context.stroke();
     context.globalAlpha = 1;
   };
-  const front = explorer.pareto.length <= mostPareto
-    ? [...explorer.pareto].filter((row) => explorer.filter.mask[row]) : [];
+  const front =
+    explorer.pareto.length <= mostPareto ? [...explorer.pareto].filter((row) => explorer.filter.mask[row]) : [];
   stroke(front, theme.pareto, 1.2, Math.min(0.8, Math.max(0.2, 4 / Math.sqrt(front.length))));
   const one = (row, colour, width) => {
     if (row < 0) return;

@@ -7,7 +7,7 @@ import { layOut, placeRows } from './layout.js';
 import { Lines } from './lines.js';
 import { drawMarks } from './marks.js';
 
-const lineTime = 6;      // milliseconds of a frame for lines
+const lineTime = 6; // milliseconds of a frame for lines
 const mostSharp = 10000; // rows that are drawn with all pixels of a fine screen
 const tickSpacing = 44;
 
@@ -25,9 +25,15 @@ export class ParallelView {
     this.marks = canvas('marks');
     this.plot = element('div', { class: 'plot' }, this.ghost.canvas, this.lines.canvas, this.marks);
     this.inner = element('div', { class: 'inner' }, this.plot);
-    this.root = element('div', {
-      class: 'parallel', role: 'group', 'aria-label': 'Parallel coordinates of the variants',
-    }, this.inner);
+    this.root = element(
+      'div',
+      {
+        class: 'parallel',
+        role: 'group',
+        'aria-label': 'Parallel coordinates of the variants',
+      },
+      this.inner,
+    );
     this.all = new Uint8Array(explorer.dataset.count).fill(1);
     this.draw = () => this.draw_();
     const again = () => this.layOut();
@@ -69,10 +75,14 @@ export class ParallelView {
       x: Math.round(axis.x * this.density),
       y: placeRows(axis, explorer.dataset.values(axis.column), pixels[1]),
     }));
-    axes.forEach((axis, k) => { axis.rows = scaled[k].y; });
+    axes.forEach((axis, k) => {
+      axis.rows = scaled[k].y;
+    });
     this.ghost.begin(...pixels, scaled, null);
     this.lines.begin(...pixels, scaled, this.shades_());
-    [this.marks.width, this.marks.height] = [width, this.height].map((size) => Math.round(size * (devicePixelRatio || 1)));
+    [this.marks.width, this.marks.height] = [width, this.height].map((size) =>
+      Math.round(size * (devicePixelRatio || 1)),
+    );
     this.placeRanges_();
     this.request_();
   }
@@ -107,7 +117,8 @@ export class ParallelView {
   }
 
   drawMarks_() {
-    const context = this.marks.getContext('2d'), density = devicePixelRatio || 1;
+    const context = this.marks.getContext('2d'),
+      density = devicePixelRatio || 1;
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, this.marks.width, this.marks.height);
     drawMarks(context, this.axes, (axis, row) => axis.rows[row] / this.density, this.explorer, this.theme.colours);
@@ -159,13 +170,17 @@ export class ParallelView {
 
   // The selected row whose line passes nearest to the pointer, within a few pixels.
   rowAt_(event) {
-    const { axes } = this, box = this.plot.getBoundingClientRect();
-    const x = event.clientX - box.left, y = event.clientY - box.top;
+    const { axes } = this,
+      box = this.plot.getBoundingClientRect();
+    const x = event.clientX - box.left,
+      y = event.clientY - box.top;
     const k = (axes ?? []).findIndex((axis, at) => at + 1 < axes.length && x >= axis.x && x < axes[at + 1].x);
     if (k < 0) return -1;
-    const t = (x - axes[k].x) / (axes[k + 1].x - axes[k].x), mask = this.explorer.filter.mask;
+    const t = (x - axes[k].x) / (axes[k + 1].x - axes[k].x),
+      mask = this.explorer.filter.mask;
     const [left, right] = [axes[k].rows, axes[k + 1].rows];
-    let found = -1, least = 6;
+    let found = -1,
+      least = 6;
     for (let row = 0; row < mask.length; ++row) {
       if (!mask[row]) continue;
       const away = Math.abs((left[row] + t * (right[row] - left[row])) / this.density - y);

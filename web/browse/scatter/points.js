@@ -4,7 +4,7 @@ const none = -32768;
 
 /** Packs a colour for a picture of little-endian pixels. */
 export function packed([red, green, blue], alpha = 255) {
-  return (red | green << 8 | blue << 16 | alpha << 24) >>> 0;
+  return (red | (green << 8) | (blue << 16) | (alpha << 24)) >>> 0;
 }
 
 /** Where rows are in a picture; rows without a place are left out. */
@@ -15,7 +15,8 @@ export class Points {
     this.xs = new Int16Array(count);
     this.ys = new Int16Array(count);
     for (let row = 0; row < count; ++row) {
-      const left = x(row), top = y(row);
+      const left = x(row),
+        top = y(row);
       const inside = left >= 0 && left <= width && top >= 0 && top <= height;
       this.xs[row] = inside ? Math.round(left) : none;
       this.ys[row] = inside ? Math.round(top) : none;
@@ -44,7 +45,8 @@ export class Points {
 
   /** The row of a mask nearest to a place, within some pixels, or -1. */
   nearest(left, top, mask, reach) {
-    let found = -1, least = reach * reach;
+    let found = -1,
+      least = reach * reach;
     for (let row = 0; row < this.count; ++row) {
       const away = (this.xs[row] - left) ** 2 + (this.ys[row] - top) ** 2;
       if (mask[row] && away < least) [found, least] = [row, away];
@@ -54,7 +56,8 @@ export class Points {
 
   // A square, moved into the picture where it would stand out of it.
   stamp_(pixels, row, size, colour) {
-    const { width, height } = this, x = this.xs[row];
+    const { width, height } = this,
+      x = this.xs[row];
     if (x === none) return;
     const left = Math.max(0, Math.min(width - size, x - (size >> 1)));
     const top = Math.max(0, Math.min(height - size, this.ys[row] - (size >> 1)));

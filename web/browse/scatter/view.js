@@ -7,7 +7,7 @@ import { ScatterMatrix } from './matrix.js';
 import { objectivesPanel } from './objectives.js';
 import { packed, Points } from './points.js';
 
-const reach = 12;  // pixels around a point in which it is found
+const reach = 12; // pixels around a point in which it is found
 
 export class ScatterView {
   /**
@@ -28,8 +28,14 @@ export class ScatterView {
       this.show(x, y);
       this.setMatrix_(false);
     });
-    this.root = element('section', { class: 'card scatter', 'aria-label': 'Scatter plot' },
-      this.controls, this.host, this.matrix.root, objectivesPanel(explorer));
+    this.root = element(
+      'section',
+      { class: 'card scatter', 'aria-label': 'Scatter plot' },
+      this.controls,
+      this.host,
+      this.matrix.root,
+      objectivesPanel(explorer),
+    );
     this.layer = document.createElement('canvas');
     this.draw = () => {
       if (!this.host.hidden) this.plot?.redraw(false, false);
@@ -49,7 +55,15 @@ export class ScatterView {
     this.pair.hidden = on;
     this.matrix.root.hidden = !on;
     this.modes?.remove();
-    this.modes = tabs('Scatter plots', [['one', 'Plot'], ['all', 'Matrix']], on ? 'all' : 'one', (mode) => this.setMatrix_(mode === 'all'));
+    this.modes = tabs(
+      'Scatter plots',
+      [
+        ['one', 'Plot'],
+        ['all', 'Matrix'],
+      ],
+      on ? 'all' : 'one',
+      (mode) => this.setMatrix_(mode === 'all'),
+    );
     this.controls.prepend(this.modes);
     if (on) this.matrix.make();
     else this.make();
@@ -63,7 +77,8 @@ export class ScatterView {
   }
 
   make() {
-    const width = this.host.clientWidth, height = this.host.clientHeight;
+    const width = this.host.clientWidth,
+      height = this.host.clientHeight;
     if (width < 80 || height < 80) return;
     this.plot?.destroy();
     const { dataset, log } = this.explorer;
@@ -74,19 +89,35 @@ export class ScatterView {
   }
 
   options_(width, height) {
-    const { columns } = this.explorer.dataset, { soft, line } = this.theme.colours;
+    const { columns } = this.explorer.dataset,
+      { soft, line } = this.theme.colours;
     const scale = ({ least, most, log }) => {
       const margin = log ? 1 : 0.02 * (most - least);
-      return { time: false, auto: false, distr: log ? 3 : 1,
-        range: log ? [least, most] : [least - margin, most + margin] };
+      return {
+        time: false,
+        auto: false,
+        distr: log ? 3 : 1,
+        range: log ? [least, most] : [least - margin, most + margin],
+      };
     };
     const axis = (column, side) => ({
-      side, stroke: soft, grid: { stroke: line, width: 1 }, ticks: { show: false }, size: side === 3 ? 58 : 34,
-      label: titled(columns[column]), labelSize: 20, labelFont: '12px system-ui', font: '11px system-ui', labelGap: 2,
+      side,
+      stroke: soft,
+      grid: { stroke: line, width: 1 },
+      ticks: { show: false },
+      size: side === 3 ? 58 : 34,
+      label: titled(columns[column]),
+      labelSize: 20,
+      labelFont: '12px system-ui',
+      font: '11px system-ui',
+      labelGap: 2,
       values: (_, splits) => splits.map((value) => (value === null ? '' : short(value, 12))),
     });
     return {
-      width, height, padding: [10, 14, 0, 0], legend: { show: false },
+      width,
+      height,
+      padding: [10, 14, 0, 0],
+      legend: { show: false },
       scales: { x: scale(this.scales[0]), y: scale(this.scales[1]) },
       series: [{}, { paths: () => null, points: { show: false } }],
       axes: [axis(this.x, 2), axis(this.y, 3)],
@@ -95,16 +126,20 @@ export class ScatterView {
         draw: [(plot) => this.drawPoints_(plot)],
         setSelect: [(plot) => this.select_(plot)],
         setCursor: [(plot) => this.explorer.point(this.rowAt_(plot))],
-        ready: [(plot) => plot.over.addEventListener('click', () => {
-          const row = this.rowAt_(plot);
-          if (row >= 0) this.explorer.choose(row);
-        })],
+        ready: [
+          (plot) =>
+            plot.over.addEventListener('click', () => {
+              const row = this.rowAt_(plot);
+              if (row >= 0) this.explorer.choose(row);
+            }),
+        ],
       },
     };
   }
 
   rowAt_(plot) {
-    const { left, top } = plot.cursor, density = UPlot.pxRatio;
+    const { left, top } = plot.cursor,
+      density = UPlot.pxRatio;
     if (!this.points || left < 0) return -1;
     return this.points.nearest(left * density, top * density, this.explorer.filter.mask, reach * density);
   }
@@ -119,35 +154,53 @@ export class ScatterView {
   }
 
   drawPoints_(plot) {
-    const { explorer, theme, layer } = this, { left, top, width, height } = plot.bbox;
+    const { explorer, theme, layer } = this,
+      { left, top, width, height } = plot.bbox;
     const { count } = explorer.dataset;
     if (!this.points) {
       const [xs, ys] = [this.x, this.y].map((column) => explorer.dataset.values(column));
-      this.points = new Points(count, Math.round(width), Math.round(height),
-        (row) => plot.valToPos(xs[row], 'x', true) - left, (row) => plot.valToPos(ys[row], 'y', true) - top);
+      this.points = new Points(
+        count,
+        Math.round(width),
+        Math.round(height),
+        (row) => plot.valToPos(xs[row], 'x', true) - left,
+        (row) => plot.valToPos(ys[row], 'y', true) - top,
+      );
       const shades = explorer.colour < 0 ? null : theme.shades(explorer, explorer.colour);
       const table = Array.from({ length: 256 }, (_, shade) => packed(theme.palette(shade)));
       const plain = packed(theme.rgb('lines'));
       this.colourOf = shades ? (row) => table[shades[row]] : () => plain;
     }
-    const density = UPlot.pxRatio, size = Math.round(density * (count > 5000 ? 2 : count > 800 ? 3 : 4));
+    const density = UPlot.pxRatio,
+      size = Math.round(density * (count > 5000 ? 2 : count > 800 ? 3 : 4));
     const image = this.points.picture({
-      mask: explorer.filter.mask, raised: explorer.isPareto, size, colour: this.colourOf,
-      ghost: packed(theme.rgb('ghost')), raisedColour: packed(theme.rgb('pareto')),
+      mask: explorer.filter.mask,
+      raised: explorer.isPareto,
+      size,
+      colour: this.colourOf,
+      ghost: packed(theme.rgb('ghost')),
+      raisedColour: packed(theme.rgb('pareto')),
     });
     [layer.width, layer.height] = [image.width, image.height];
     layer.getContext('2d').putImageData(image, 0, 0);
     plot.ctx.save();
     plot.ctx.drawImage(layer, left, top);
-    [['pointed', 'soft'], ['pinned', 'pinned'], ['chosen', 'chosen']].forEach(([which, colour]) =>
-      this.ring_(plot.ctx, explorer[which], theme.colours[colour], left, top, density));
+    [
+      ['pointed', 'soft'],
+      ['pinned', 'pinned'],
+      ['chosen', 'chosen'],
+    ].forEach(([which, colour]) => this.ring_(plot.ctx, explorer[which], theme.colours[colour], left, top, density));
     plot.ctx.restore();
   }
 
   ring_(context, row, colour, left, top, density) {
     if (row < 0 || this.points.xs[row] < 0) return;
-    const x = left + this.points.xs[row], y = top + this.points.ys[row];
-    [[this.theme.colours.back, 4.5], [colour, 2.5]].forEach(([stroke, width]) => {
+    const x = left + this.points.xs[row],
+      y = top + this.points.ys[row];
+    [
+      [this.theme.colours.back, 4.5],
+      [colour, 2.5],
+    ].forEach(([stroke, width]) => {
       context.beginPath();
       context.arc(x, y, 6 * density, 0, 2 * Math.PI);
       context.strokeStyle = stroke;
@@ -157,18 +210,33 @@ export class ScatterView {
   }
 
   showControls_() {
-    const { explorer } = this, { dataset } = explorer;
-    const entries = [...dataset.metricColumns(), ...dataset.variableColumns()].map(
-      (column) => [String(column), dataset.columns[column].name]);
-    const log = (column) => tick('log', explorer.log.has(column), (on) => {
-      if (on) explorer.log.add(column);
-      else explorer.log.delete(column);
-      explorer.emit('columns');
-    });
+    const { explorer } = this,
+      { dataset } = explorer;
+    const entries = [...dataset.metricColumns(), ...dataset.variableColumns()].map((column) => [
+      String(column),
+      dataset.columns[column].name,
+    ]);
+    const log = (column) =>
+      tick('log', explorer.log.has(column), (on) => {
+        if (on) explorer.log.add(column);
+        else explorer.log.delete(column);
+        explorer.emit('columns');
+      });
     this.pair.replaceChildren(
-      element('label', {}, '↔ ', choices('Column across', entries, String(this.x), (x) => this.show(Number(x), this.y))),
+      element(
+        'label',
+        {},
+        '↔ ',
+        choices('Column across', entries, String(this.x), (x) => this.show(Number(x), this.y)),
+      ),
       log(this.x),
-      element('label', {}, '↕ ', choices('Column up', entries, String(this.y), (y) => this.show(this.x, Number(y)))),
-      log(this.y));
+      element(
+        'label',
+        {},
+        '↕ ',
+        choices('Column up', entries, String(this.y), (y) => this.show(this.x, Number(y))),
+      ),
+      log(this.y),
+    );
   }
 }

@@ -14,8 +14,14 @@ export function csvOf(dataset, rows) {
   const lines = [['id', ...heads, 'status', 'cause'].map(quoted).join(',')];
   const values = columns.map((_, k) => dataset.values(k));
   for (const row of rows) {
-    lines.push([dataset.ids[row], ...values.map((column) => field(column[row])),
-      about.statuses[dataset.status[row]], quoted(about.causes[dataset.cause[row]])].join(','));
+    lines.push(
+      [
+        dataset.ids[row],
+        ...values.map((column) => field(column[row])),
+        about.statuses[dataset.status[row]],
+        quoted(about.causes[dataset.cause[row]]),
+      ].join(','),
+    );
   }
   return `${lines.join('\n')}\n`;
 }

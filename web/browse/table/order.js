@@ -10,7 +10,8 @@ export function orderBy(values, falling) {
   const sign = falling ? -1 : 1;
   const last = (value) => (Number.isNaN(value) ? Infinity : sign * value);
   return order.sort((a, b) => {
-    const x = last(values[a]), y = last(values[b]);
+    const x = last(values[a]),
+      y = last(values[b]);
     return x < y ? -1 : x > y ? 1 : a - b;
   });
 }

@@ -4,8 +4,9 @@ import { counted, exact, short, titled } from '../format.js';
 import { csvOf, save } from './csv.js';
 import { orderBy, selectedInOrder } from './order.js';
 
-const rowHeight = 28, spare = 6;
-const pause = 120;  // milliseconds between drawings while a range is dragged
+const rowHeight = 28,
+  spare = 6;
+const pause = 120; // milliseconds between drawings while a range is dragged
 
 export class TableView {
   /**
@@ -17,16 +18,35 @@ export class TableView {
     this.order = orderBy(explorer.dataset.ids, false);
     this.head = element('div', { class: 'tr head', role: 'row' });
     this.body = element('div', { class: 'tbody', role: 'rowgroup' });
-    this.scroll = element('div', {
-      class: 'table', role: 'grid', tabIndex: 0, 'aria-label': 'Selected variants', onscroll: () => this.request_(),
-      onkeydown: (event) => this.key_(event),
-    }, this.head, this.body);
+    this.scroll = element(
+      'div',
+      {
+        class: 'table',
+        role: 'grid',
+        tabIndex: 0,
+        'aria-label': 'Selected variants',
+        onscroll: () => this.request_(),
+        onkeydown: (event) => this.key_(event),
+      },
+      this.head,
+      this.body,
+    );
     this.exporter = element('button', { type: 'button', class: 'export', onclick: () => this.export_() });
-    this.root = element('section', { class: 'card tabled', 'aria-label': 'Table' }, element('div', { class: 'controls' },
-      element('h2', { textContent: 'Variants' }), this.exporter, tick('all digits', false, (on) => {
-        this.allDigits = on;
-        this.columns_();
-      })), this.scroll);
+    this.root = element(
+      'section',
+      { class: 'card tabled', 'aria-label': 'Table' },
+      element(
+        'div',
+        { class: 'controls' },
+        element('h2', { textContent: 'Variants' }),
+        this.exporter,
+        tick('all digits', false, (on) => {
+          this.allDigits = on;
+          this.columns_();
+        }),
+      ),
+      this.scroll,
+    );
     this.draw = () => this.draw_();
     explorer.on('columns', () => this.columns_());
     explorer.on('filter', () => this.rows_());
@@ -53,15 +73,29 @@ export class TableView {
   }
 
   columns_() {
-    const { explorer, sort } = this, { dataset } = explorer;
+    const { explorer, sort } = this,
+      { dataset } = explorer;
     const variables = explorer.axes.filter((column) => !dataset.columns[column].metric);
     this.shown = [...dataset.metricColumns(), ...variables];
-    const head = (column, text) => element('button', {
-      type: 'button', class: 'th', role: 'columnheader', title: text, onclick: () => this.sortBy(column),
-      'aria-sort': sort.column !== column ? 'none' : sort.falling ? 'descending' : 'ascending',
-    }, element('span', { textContent: text }), sort.column === column ? (sort.falling ? ' ↓' : ' ↑') : '');
-    this.head.replaceChildren(head(-1, 'id'), element('span', { class: 'th status', role: 'columnheader', textContent: 'status' }),
-      ...this.shown.map((column) => head(column, titled(dataset.columns[column]))));
+    const head = (column, text) =>
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'th',
+          role: 'columnheader',
+          title: text,
+          onclick: () => this.sortBy(column),
+          'aria-sort': sort.column !== column ? 'none' : sort.falling ? 'descending' : 'ascending',
+        },
+        element('span', { textContent: text }),
+        sort.column === column ? (sort.falling ? ' ↓' : ' ↑') : '',
+      );
+    this.head.replaceChildren(
+      head(-1, 'id'),
+      element('span', { class: 'th status', role: 'columnheader', textContent: 'status' }),
+      ...this.shown.map((column) => head(column, titled(dataset.columns[column]))),
+    );
     const width = this.allDigits ? 168 : 112;
     this.scroll.style.setProperty('--columns', `72px 132px repeat(${this.shown.length}, ${width}px)`);
     this.request_();
@@ -92,21 +126,42 @@ export class TableView {
   }
 
   row_(row, place) {
-    const { explorer } = this, { dataset } = explorer;
-    const marks = [row === explorer.chosen && 'chosen', row === explorer.pinned && 'pinned',
-      explorer.isPareto[row] && 'pareto'].filter(Boolean);
-    const made = element('div', {
-      class: ['tr', ...marks].join(' '), role: 'row', 'aria-selected': String(row === explorer.chosen),
-      'data-id': String(dataset.ids[row]), onclick: () => explorer.choose(row),
-      onpointerenter: () => explorer.point(row), onpointerleave: () => explorer.point(-1),
-    }, element('span', { role: 'gridcell', textContent: String(dataset.ids[row]) }),
-    element('span', { role: 'gridcell', class: 'status', textContent: dataset.statusText(row), title: dataset.statusText(row) }));
+    const { explorer } = this,
+      { dataset } = explorer;
+    const marks = [
+      row === explorer.chosen && 'chosen',
+      row === explorer.pinned && 'pinned',
+      explorer.isPareto[row] && 'pareto',
+    ].filter(Boolean);
+    const made = element(
+      'div',
+      {
+        class: ['tr', ...marks].join(' '),
+        role: 'row',
+        'aria-selected': String(row === explorer.chosen),
+        'data-id': String(dataset.ids[row]),
+        onclick: () => explorer.choose(row),
+        onpointerenter: () => explorer.point(row),
+        onpointerleave: () => explorer.point(-1),
+      },
+      element('span', { role: 'gridcell', textContent: String(dataset.ids[row]) }),
+      element('span', {
+        role: 'gridcell',
+        class: 'status',
+        textContent: dataset.statusText(row),
+        title: dataset.statusText(row),
+      }),
+    );
     made.style.top = `${place * rowHeight}px`;
     for (const column of this.shown) {
       const value = dataset.values(column)[row];
-      made.append(element('span', {
-        role: 'gridcell', textContent: this.allDigits ? exact(value) : short(value, 6), title: exact(value),
-      }));
+      made.append(
+        element('span', {
+          role: 'gridcell',
+          textContent: this.allDigits ? exact(value) : short(value, 6),
+          title: exact(value),
+        }),
+      );
     }
     return made;
   }
@@ -125,7 +180,9 @@ export class TableView {
     this.request_();
     const at = this.rows ? this.rows.indexOf(this.explorer.chosen) : -1;
     if (at < 0) return;
-    const top = at * rowHeight, { scrollTop, clientHeight } = this.scroll, sight = clientHeight - 2 * rowHeight;
+    const top = at * rowHeight,
+      { scrollTop, clientHeight } = this.scroll,
+      sight = clientHeight - 2 * rowHeight;
     if (top < scrollTop) this.scroll.scrollTop = top;
     else if (top > scrollTop + sight) this.scroll.scrollTop = top - sight;
   }

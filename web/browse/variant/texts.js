@@ -6,8 +6,11 @@ const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replac
 
 /** The command that writes a variant as a model. */
 export function modelCommand(dataset, row) {
-  const { about } = dataset, id = dataset.ids[row];
-  return ['bodyline', 'space', about.store, 'model', String(id), '-o', `${about.study}-${id}.toml`].map(quoted).join(' ');
+  const { about } = dataset,
+    id = dataset.ids[row];
+  return ['bodyline', 'space', about.store, 'model', String(id), '-o', `${about.study}-${id}.toml`]
+    .map(quoted)
+    .join(' ');
 }
 
 /**
@@ -15,7 +18,8 @@ export function modelCommand(dataset, row) {
  * where a variable is no number of the model itself.
  */
 export function setCommand(dataset, row) {
-  const { about, columns } = dataset, variables = dataset.variableColumns();
+  const { about, columns } = dataset,
+    variables = dataset.variableColumns();
   if (about.base !== 'model' || variables.some((k) => columns[k].kind !== 'value')) return null;
   const numbers = variables.map((k) => `${columns[k].name}=${exact(dataset.values(k)[row])}`);
   const id = dataset.ids[row];
