@@ -6,6 +6,7 @@
 #include <new>
 
 #include "cli/browse_command.hpp"
+#include "cli/chain_command.hpp"
 #include "cli/check_command.hpp"
 #include "cli/convert_command.hpp"
 #include "cli/deviation_command.hpp"
@@ -44,6 +45,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_export_command(program, context);
   add_convert_command(program, context);
   add_scan_command(program, context);
+  add_chain_command(program, context);
   add_outline_command(program, context);
   add_strokes_command(program, context);
   add_sketch_command(program, context);

@@ -24,6 +24,7 @@ struct Request {
   PictureRequest picture;
   std::string map = "shade", stage = "body";
   std::optional<double> range;
+  bool left = false;
 };
 
 io::RenderOptions render_options(const Request& request) {
@@ -41,7 +42,8 @@ void run(Context& context, const Request& request) {
   {
     Progress progress(context, "rendering " + request.output.path);
     options.on_progress = [&progress](double fraction) { progress.update(fraction); };
-    io::write_png(io::render(model::build(model, stage), options), request.output.path,
+    const auto halves = request.left ? model::Halves::left_and_central : model::Halves::both;
+    io::write_png(io::render(model::build(model, stage, halves), options), request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   }
   *context.out << fmt::format("{}: {}, {}, {} x {} pixels\n", request.output.path, request.map,
@@ -57,6 +59,7 @@ void add_map_options(CLI::App& command, Request& request) {
   command.add_option("--range", request.range,
                      "Curvature at which the colours of a curvature map end, 1/m (mean) or 1/m^2 "
                      "(Gauss); found from the body when left out");
+  command.add_flag("--left", request.left, "Without the mirror images of the left half");
 }
 
 }  // namespace

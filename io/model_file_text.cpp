@@ -1,5 +1,7 @@
 #include "io/model_file_text.hpp"
 
+#include <fstream>
+
 #include <algorithm>
 
 #include "io/input_error.hpp"
@@ -141,6 +143,25 @@ void check_text_limits(std::string_view text, const std::string& file) {
                          " bytes, the most that a model file may have.");
   }
   TextCheck(text, file).run();
+}
+
+std::string read_file_text(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status)) {
+    throw InputError(path.string(), 0, "", "does not exist.");
+  }
+  if (std::filesystem::is_directory(path, status)) {
+    throw InputError(path.string(), 0, "", "is a folder, not a model file.");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  // One byte more than allowed, so that the check of the length sees a file that is too long.
+  std::string text(longest_file + 1, '\0');
+  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream.is_open() || stream.bad()) {
+    throw InputError(path.string(), 0, "", "cannot be read.");
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
 }
 
 }  // namespace bodyline::io

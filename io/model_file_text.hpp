@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -15,5 +16,8 @@ inline constexpr int longest_dotted_key = 8;                       ///< dots wit
 /// refuses what the parser (toml++ 3.3) does not survive: characters outside ASCII where white
 /// space may stand. Throws InputError; `file` stands for the file in messages.
 void check_text_limits(std::string_view text, const std::string& file);
+
+/// The text of a file, at most a byte longer than allowed. Throws InputError when there is none.
+std::string read_file_text(const std::filesystem::path& path);
 
 }  // namespace bodyline::io

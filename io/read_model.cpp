@@ -1,7 +1,6 @@
 #include "io/read_model.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "io/model_file.hpp"
 #include "io/model_file_joining.hpp"
@@ -40,25 +39,6 @@ std::string with_full_stop(std::string sentence) {
   return sentence;
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::error_code status;
-  if (!std::filesystem::exists(path, status)) {
-    throw InputError(path.string(), 0, "", "does not exist.");
-  }
-  if (std::filesystem::is_directory(path, status)) {
-    throw InputError(path.string(), 0, "", "is a folder, not a model file.");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  // One byte more than allowed, so that the check of the length sees a file that is too long.
-  std::string text(longest_file + 1, '\0');
-  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream.is_open() || stream.bad()) {
-    throw InputError(path.string(), 0, "", "cannot be read.");
-  }
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
 }  // namespace
 
 model::Model read_model_text(std::string_view text, const std::string& name,
@@ -88,7 +68,7 @@ model::Model read_model_text(std::string_view text, const std::string& name,
 }
 
 model::Model read_model(const std::filesystem::path& path, std::vector<Warning>* warnings) {
-  return read_model_text(read_text(path), path.string(), warnings);
+  return read_model_text(read_file_text(path), path.string(), warnings);
 }
 
 }  // namespace bodyline::io

@@ -23,4 +23,8 @@ void propagate(CurveChain& chain) {
   join_curve_backwards(last, chain.joins.back(), chain.curves.front());
 }
 
+JoinMeasure measure_join(const CurveChain& chain, int join) {
+  return measure_join(chain.curves[join], chain.curves[(join + 1) % chain.curves.size()]);
+}
+
 }  // namespace bodyline::model

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/family_curve.hpp"
+#include "model/join_measure.hpp"
 
 namespace bodyline::model {
 
@@ -22,5 +23,8 @@ struct CurveChain {
 /// std::invalid_argument when the counts do not fit, when a closing join asks for more than G1 or
 /// leaves its curve too few points, and as join_curve.
 void propagate(CurveChain& chain);
+
+/// How well curve k + 1 goes on from curve k, the first from the last in a closed chain.
+JoinMeasure measure_join(const CurveChain& chain, int join);
 
 }  // namespace bodyline::model

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/kernel_bicubic.hpp"
 #include "model/kernel_contraction.hpp"
 #include "model/kernel_lanes.hpp"
 #include "model/kernels.hpp"
@@ -17,6 +18,7 @@ struct LaneBasis {
 // From degree `from` to the next, in place.
 BODYLINE_INLINE void raise_bernstein(int from, Lanes t, Lanes s, Lanes* b) {
   b[from + 1] = t * b[from];
+#pragma GCC unroll 4
   for (int k = from; k > 0; --k) b[k] = s * b[k] + t * b[k - 1];
   b[0] = s * b[0];
 }
@@ -24,6 +26,7 @@ BODYLINE_INLINE void raise_bernstein(int from, Lanes t, Lanes s, Lanes* b) {
 BODYLINE_INLINE void differences(int degree, const Lanes* lower, Lanes* out) {
   const Lanes n = broadcast(degree);
   out[0] = -n * lower[0];
+#pragma GCC unroll 4
   for (int k = 1; k < degree; ++k) out[k] = n * (lower[k - 1] - lower[k]);
   out[degree] = n * lower[degree - 1];
 }
@@ -33,6 +36,7 @@ BODYLINE_INLINE void lane_basis(int degree, Lanes t, LaneBasis& basis) {
   Lanes* const b = basis.value;
   Lanes lower[max_foot_degree + 1];  // first derivatives, one degree lower
   b[0] = broadcast(1.0);
+#pragma GCC unroll 4
   for (int k = 0; k < degree - 2; ++k) raise_bernstein(k, t, s, b);
   if (degree >= 2) {
     differences(degree - 1, b, lower);
@@ -45,31 +49,32 @@ BODYLINE_INLINE void lane_basis(int degree, Lanes t, LaneBasis& basis) {
   raise_bernstein(degree - 1, t, s, b);
 }
 
-/// Position and derivatives of a face at one parameter a lane.
-struct LaneJet {
-  Vector s, su, sv, suu, suv, svv;
-};
-
+/// The jet to the order 1 or 2; what is above it stays zero.
+template <int Order>
 BODYLINE_INLINE LaneJet lane_jet(int degree_u, int degree_v, const double* net, Lanes u, Lanes v) {
   LaneBasis bu, bv;
   lane_basis(degree_u, u, bu);
   lane_basis(degree_v, v, bv);
   LaneJet jet{};
+#pragma GCC unroll 4
   for (int i = 0; i <= degree_u; ++i) {
     const double* const row = net + 3 * i * (degree_v + 1);
     Vector r{}, rv{}, rvv{};
+#pragma GCC unroll 4
     for (int j = 0; j <= degree_v; ++j) {
-      const Vector p = broadcast_vector(row + 3 * j);
+      const Vector p = held(broadcast_vector(row + 3 * j));
       accumulate(r, bv.value[j], p);
       accumulate(rv, bv.first[j], p);
-      accumulate(rvv, bv.second[j], p);
+      if constexpr (Order >= 2) accumulate(rvv, bv.second[j], p);
     }
     accumulate(jet.s, bu.value[i], r);
     accumulate(jet.sv, bu.value[i], rv);
-    accumulate(jet.svv, bu.value[i], rvv);
     accumulate(jet.su, bu.first[i], r);
-    accumulate(jet.suv, bu.first[i], rv);
-    accumulate(jet.suu, bu.second[i], r);
+    if constexpr (Order >= 2) {
+      accumulate(jet.svv, bu.value[i], rvv);
+      accumulate(jet.suv, bu.first[i], rv);
+      accumulate(jet.suu, bu.second[i], r);
+    }
   }
   return jet;
 }
@@ -94,9 +99,10 @@ BODYLINE_INLINE void add_blend(const double* blend, Lanes u, Lanes v, LaneJet& j
   accumulate(jet.svv, a * (b2 * q + 2.0 * b1 * q_v + b * q_vv), w);
 }
 
+template <int Order>
 BODYLINE_INLINE LaneJet lane_jet(int degree_u, int degree_v, const double* net, const double* blend,
                                  Lanes u, Lanes v) {
-  LaneJet jet = lane_jet(degree_u, degree_v, net, u, v);
+  LaneJet jet = lane_jet<Order>(degree_u, degree_v, net, u, v);
   if (blend) add_blend(blend, u, v, jet);
   return jet;
 }
@@ -133,16 +139,15 @@ BODYLINE_INLINE void newton_step(const LaneJet& jet, const Vector& point, Lanes&
   v = fix_v ? v : clamped(v + clamped(dv, -longest, longest), 0.0, 1.0);
 }
 
-inline void foot_points(int degree_u, int degree_v, const double* net, const double* blend,
-                        int steps, const FootPointArrays& a) {
+// jet(order, u, v) gives the jets of the face.
+template <class FirstJet, class SecondJet>
+BODYLINE_INLINE void foot_points_by(FirstJet first_jet, SecondJet second_jet, int steps,
+                                    const FootPointArrays& a) {
   for (int k = 0; k < a.count; k += lanes) {
     const Vector point{load(a.x + k), load(a.y + k), load(a.z + k)};
     Lanes u = load(a.u + k), v = load(a.v + k);
-    LaneJet jet = lane_jet(degree_u, degree_v, net, blend, u, v);
-    for (int step = 0; step < steps; ++step) {
-      newton_step(jet, point, u, v);
-      jet = lane_jet(degree_u, degree_v, net, blend, u, v);
-    }
+    for (int step = 0; step < steps; ++step) newton_step(second_jet(u, v), point, u, v);
+    const LaneJet jet = first_jet(u, v);
     store(a.u + k, u);
     store(a.v + k, v);
     const Vector n = cross(jet.su, jet.sv);
@@ -156,6 +161,22 @@ inline void foot_points(int degree_u, int degree_v, const double* net, const dou
       store(to[2] + k, out[q].z);
     }
   }
+}
+
+inline void foot_points(int degree_u, int degree_v, const double* net, const double* blend,
+                        int steps, const FootPointArrays& a) {
+  if (degree_u == 3 && degree_v == 3 && !blend) {
+    const BicubicNet own = bicubic_net(net);
+    foot_points_by([&](Lanes u, Lanes v) BODYLINE_INLINED { return bicubic_jet<1>(own, u, v); },
+                   [&](Lanes u, Lanes v) BODYLINE_INLINED { return bicubic_jet<2>(own, u, v); },
+                   steps, a);
+    return;
+  }
+  foot_points_by([&](Lanes u, Lanes v)
+                     BODYLINE_INLINED { return lane_jet<1>(degree_u, degree_v, net, blend, u, v); },
+                 [&](Lanes u, Lanes v)
+                     BODYLINE_INLINED { return lane_jet<2>(degree_u, degree_v, net, blend, u, v); },
+                 steps, a);
 }
 
 }  // namespace bodyline::model::isa::BODYLINE_ISA_NAMESPACE

@@ -37,16 +37,38 @@ struct FootPointArrays {
   double* normal[3] = {};  ///< unit normals there, along Su x Sv; 0 where there is none
 };
 
-/// A point on a face and where it should be: adds (S(u,v) - target)' W (S(u,v) - target) to a sum
-/// of squares.
-struct MomentPoint {
-  double u = 0.0, v = 0.0;
-  double weight[6] = {};           ///< W: xx, xy, xz, yy, yz, zz
-  double weighted_target[3] = {};  ///< W target
+/// Least cosine between the normals of the body and of the scan at which a rim is pulled.
+inline constexpr double least_rim_cosine = 0.7;
+
+/// How strongly the points of a scan pull at a face (optimize/robust_pulls.hpp says why).
+struct PullRule {
+  const double* scan_normal[3] = {};  ///< at the points; null where the scan has none
+  bool inward = false;                ///< whether Su x Sv of the face points into the body
+  bool rims[4] = {};                  ///< which of the sides u = 0, u = 1, v = 0, v = 1 are rims
+  double normal_reach = 0.0, rim_reach = 0.0;  ///< mm
 };
 
-/// Numbers between rows of second moments: 6 (2 degree_v + 1), rounded up to a multiple of 8.
-constexpr int moment_stride(int degree_v) { return (6 * (2 * degree_v + 1) + 7) / 8 * 8; }
+/// Points on a face and where they should be, coordinate by coordinate, with room as
+/// FootPointArrays have: each adds (S(u,v) - target)' W (S(u,v) - target) to a sum of squares.
+struct PullArrays {
+  int count = 0;
+  const double *u = nullptr, *v = nullptr;
+  double* weight[6] = {};           ///< W: xx, xy, xz, yy, yz, zz; zero beyond `count`
+  double* weighted_target[3] = {};  ///< W target; likewise
+};
+
+/// What the moments do not hold of pulls.
+struct PullSums {
+  double constant = 0.0;  ///< sum of target' W target
+  double weight = 0.0;    ///< sum of the traces of W
+};
+
+/// Numbers for each entry of W in a row of second moments: 2 degree_v + 1, rounded up to a multiple
+/// of 8.
+constexpr int moment_width(int degree_v) { return (2 * degree_v + 8) / 8 * 8; }
+
+/// Numbers between rows of second moments.
+constexpr int moment_stride(int degree_v) { return 6 * moment_width(degree_v); }
 
 /// Value kernels: `net` has (degree_u+1)(degree_v+1)*3 doubles, xyz fastest, then v; `blend` 3
 /// doubles, read only where rule.blend is set. Pullback kernels return the same value and add seed
@@ -80,11 +102,15 @@ struct Kernels {
   /// the given parameters; `blend` is null on a polynomial face.
   void (*foot_points)(int degree_u, int degree_v, const double* net, const double* blend, int steps,
                       const FootPointArrays&) = nullptr;
+  /// The pulls at foot points, of the kind of optimize::robust_pull; `distance` gets how far the
+  /// points are. `out` has the count of the points and as much room.
+  PullSums (*pulls)(const FootPointArrays&, const PullRule&, const PullArrays& out,
+                    double* distance) = nullptr;
   /// Adds up sum B_a(u) B_b(v) W over the points, B of the doubled degrees, into second[a *
-  /// stride + 6 b + entry], where stride = moment_stride(degree_v), and sum B_i(u) B_j(v) W target
-  /// into first[3 (i (degree_v + 1) + j) + c].
-  void (*add_moments)(int degree_u, int degree_v, const MomentPoint* points, int count, int stride,
-                      double* second, double* first) = nullptr;
+  /// moment_stride(degree_v) + entry * moment_width(degree_v) + b], and sum B_i(u) B_j(v) W target
+  /// into first[3 (i (degree_v + 1) + j) + c]. Degrees up to 12.
+  void (*add_moments)(int degree_u, int degree_v, const PullArrays&, double* second,
+                      double* first) = nullptr;
 };
 
 /// Instruction sets a binary may carry.

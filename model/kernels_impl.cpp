@@ -8,6 +8,7 @@
 #include "model/kernel_foot_point.hpp"
 #include "model/kernel_integral.hpp"
 #include "model/kernel_moments.hpp"
+#include "model/kernel_pull.hpp"
 #include "model/kernel_samples.hpp"
 #include "model/kernel_tables.hpp"
 #include "model/kernel_variation.hpp"
@@ -31,6 +32,7 @@ const Kernels& table() {
       .jets = jets,
       .curvature = curvature,
       .foot_points = foot_points,
+      .pulls = pulls,
       .add_moments = add_moments,
   };
   return kernels;

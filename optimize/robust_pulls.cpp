@@ -5,8 +5,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double least_rim_cosine = 0.7;  // between normals, to pull a rim out
-
 double geman_mcclure(double distance, double reach) {
   const double q = distance / reach, root = 1.0 / (1.0 + q * q);
   return root * root;
@@ -34,7 +32,7 @@ MatchPull robust_pull(const Match& match, const Vector3d& point, const Vector3d*
   if (at_rim && at_end) weight = 0.0;
   if (at_rim && beyond > 0.0) {
     weight *= geman_mcclure(beyond, reach.rim);
-    if (cosine < least_rim_cosine) weight = 0.0;
+    if (cosine < model::least_rim_cosine) weight = 0.0;
     pull += along * along.transpose() / (beyond * beyond);
   }
   return {point, weight * pull};

@@ -1,9 +1,9 @@
 #include "optimize/scan_follow.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace bodyline::optimize {
 namespace {
@@ -12,42 +12,47 @@ using Eigen::Vector3d;
 
 constexpr int chunk = 1024;  // points of one task, a multiple of the kernels' 8; the sums' order
 
-// Neighbours on one face, coordinates side by side: x y z, normal x y z, u v; then foot and normal
-// of the body.
+// Neighbours on one face, coordinates side by side: x y z, normal x y z, u v.
 struct Block {
   int face = -1, count = 0;
   std::size_t first = 0;  // in the order of distances
   std::vector<double> numbers;
 
-  double* column(int k) { return numbers.data() + std::size_t(k) * padded(); }
-  int padded() const { return (count + 7) / 8 * 8; }
+  std::size_t padded() const { return std::size_t(count + 7) / 8 * 8; }
+  double* column(int k) { return numbers.data() + k * padded(); }
 };
-enum Column {
-  position = 0,
-  scan_normal = 3,
-  parameter = 6,
-  foot = 8,
-  body_normal = 11,
-  columns = 14
-};
+enum Column { position = 0, scan_normal = 3, parameter = 6, columns = 8 };
 
-Vector3d vector_at(Block& block, int column, int k) {
-  return {block.column(column)[k], block.column(column + 1)[k], block.column(column + 2)[k]};
-}
+// What is found at the points of a block and forgotten after it.
+struct Scratch {
+  Scratch() : numbers(std::size_t(16) * chunk) {}
+  double* column(int k) { return numbers.data() + std::size_t(k) * chunk; }
+  std::vector<double> numbers;
+};
+enum ScratchColumn { foot = 0, body_normal = 3, weight = 6, weighted_target = 12, distance = 15 };
 
 void set_vector(Block& block, int column, int k, const Vector3d& value) {
   for (int c = 0; c < 3; ++c) block.column(column + c)[k] = value[c];
 }
 
-model::FootPointArrays arrays(Block& block) {
+model::FootPointArrays foot_arrays(Block& block, Scratch& scratch) {
   model::FootPointArrays a;
   a.count = block.count;
   a.x = block.column(position), a.y = block.column(position + 1), a.z = block.column(position + 2);
   a.u = block.column(parameter), a.v = block.column(parameter + 1);
   for (int c = 0; c < 3; ++c) {
-    a.foot[c] = block.column(foot + c);
-    a.normal[c] = block.column(body_normal + c);
+    a.foot[c] = scratch.column(foot + c);
+    a.normal[c] = scratch.column(body_normal + c);
   }
+  return a;
+}
+
+model::PullArrays pull_arrays(Block& block, Scratch& scratch) {
+  model::PullArrays a;
+  a.count = block.count;
+  a.u = block.column(parameter), a.v = block.column(parameter + 1);
+  for (int e = 0; e < 6; ++e) a.weight[e] = scratch.column(weight + e);
+  for (int c = 0; c < 3; ++c) a.weighted_target[c] = scratch.column(weighted_target + c);
   return a;
 }
 
@@ -61,12 +66,16 @@ struct ScanFollower::State {
   std::vector<Block> blocks;
   std::vector<double> distances;
 
+  tbb::enumerable_thread_specific<Scratch> scratch;
+
+  model::PullRule rule(Block& block, const PullReach& reach) const;
   FaceMoments pull(Block& block, const double* nets, const PullReach& reach, int steps);
 };
 
 ScanFollower::ScanFollower(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan,
                            std::vector<std::array<bool, 4>> rims, model::Isa isa)
-    : state_(new State{&plan.faces(stage), &scan, std::move(rims), &model::kernels(isa), {}, {}}) {}
+    : state_(new State{
+          &plan.faces(stage), &scan, std::move(rims), &model::kernels(isa), {}, {}, {}}) {}
 ScanFollower::~ScanFollower() = default;
 
 void ScanFollower::start(const std::vector<Match>& matches) {
@@ -98,30 +107,31 @@ void ScanFollower::start(const std::vector<Match>& matches) {
   });
 }
 
+model::PullRule ScanFollower::State::rule(Block& block, const PullReach& reach) const {
+  model::PullRule rule;
+  if (!scan->normals.empty())
+    for (int c = 0; c < 3; ++c) rule.scan_normal[c] = block.column(scan_normal + c);
+  rule.inward = (*faces)[block.face].inward;
+  std::copy(rims[block.face].begin(), rims[block.face].end(), rule.rims);
+  rule.normal_reach = reach.normal;
+  rule.rim_reach = reach.rim;
+  return rule;
+}
+
 FaceMoments ScanFollower::State::pull(Block& block, const double* nets, const PullReach& reach,
                                       int steps) {
   const model::Face& face = (*faces)[block.face];
   const double* const blend = face.blend < 0 ? nullptr : nets + 3 * face.blend;
-  kernels->foot_points(face.degree_u, face.degree_v, nets + 3 * face.net, blend, steps,
-                       arrays(block));
-  FaceMoments sums(face, block.face);
-  std::vector<model::MomentPoint> points;
-  points.reserve(std::size_t(block.count));
-  const double sign = face.inward ? -1.0 : 1.0;
-  for (int k = 0; k < block.count; ++k) {
-    Match match{block.face, block.column(parameter)[k], block.column(parameter + 1)[k],
-                vector_at(block, foot, k), sign * vector_at(block, body_normal, k)};
-    const Vector3d point = vector_at(block, position, k);
-    match.distance = (point - match.foot).norm();
-    distances[block.first + k] = match.distance;
-    if (blend) continue;
-    const Vector3d normal = vector_at(block, scan_normal, k);
-    const MatchPull pull = robust_pull(match, point, scan->normals.empty() ? nullptr : &normal,
-                                       rims[block.face], reach);
-    points.push_back(moment_point(match.u, match.v, pull, sums.constant));
-  }
-  sums.add(*kernels, face, points);
-  return sums;
+  Scratch& own = scratch.local();
+  const model::FootPointArrays feet = foot_arrays(block, own);
+  kernels->foot_points(face.degree_u, face.degree_v, nets + 3 * face.net, blend, steps, feet);
+  const model::PullArrays pulls = pull_arrays(block, own);
+  const model::PullSums sums =
+      kernels->pulls(feet, rule(block, reach), pulls, own.column(distance));
+  std::copy_n(own.column(distance), block.count, distances.data() + block.first);
+  FaceMoments moments(face, block.face);
+  if (!blend) moments.add(*kernels, face, pulls, sums);
+  return moments;
 }
 
 std::vector<FaceMoments> ScanFollower::follow(const double* nets, const PullReach& reach,

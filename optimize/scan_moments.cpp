@@ -13,6 +13,42 @@ struct Task {
   int face, begin, end;
 };
 
+// Pulls as the kernels take them.
+class PullColumns {
+ public:
+  explicit PullColumns(int count)
+      : length_((count + 7) / 8 * 8), numbers_(std::size_t(11) * length_, 0.0) {
+    arrays_.count = count;
+    arrays_.u = column(0);
+    arrays_.v = column(1);
+    for (int e = 0; e < 6; ++e) arrays_.weight[e] = column(2 + e);
+    for (int c = 0; c < 3; ++c) arrays_.weighted_target[c] = column(8 + c);
+  }
+
+  void set(int k, const Match& match, const MatchPull& pull) {
+    const Eigen::Matrix3d& w = pull.weight;
+    const Eigen::Vector3d pulled = w * pull.target;
+    const double entries[6] = {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)};
+    column(0)[k] = match.u;
+    column(1)[k] = match.v;
+    for (int e = 0; e < 6; ++e) arrays_.weight[e][k] = entries[e];
+    for (int c = 0; c < 3; ++c) arrays_.weighted_target[c][k] = pulled[c];
+    sums_.constant += pull.target.dot(pulled);
+    sums_.weight += w.trace();
+  }
+
+  const model::PullArrays& arrays() const { return arrays_; }
+  const model::PullSums& sums() const { return sums_; }
+
+ private:
+  double* column(int k) { return numbers_.data() + k * length_; }
+
+  std::size_t length_;
+  std::vector<double> numbers_;
+  model::PullArrays arrays_;
+  model::PullSums sums_;
+};
+
 }  // namespace
 
 FaceMoments::FaceMoments(const model::Face& of, int index)
@@ -21,10 +57,10 @@ FaceMoments::FaceMoments(const model::Face& of, int index)
       first(std::size_t(3) * (of.degree_u + 1) * (of.degree_v + 1), 0.0) {}
 
 void FaceMoments::add(const model::Kernels& kernels, const model::Face& of,
-                      const std::vector<model::MomentPoint>& points) {
-  kernels.add_moments(of.degree_u, of.degree_v, points.data(), int(points.size()),
-                      model::moment_stride(of.degree_v), second.data(), first.data());
-  for (const model::MomentPoint& p : points) weight += p.weight[0] + p.weight[3] + p.weight[5];
+                      const model::PullArrays& pulls, const model::PullSums& sums) {
+  kernels.add_moments(of.degree_u, of.degree_v, pulls, second.data(), first.data());
+  constant += sums.constant;
+  weight += sums.weight;
 }
 
 void FaceMoments::add(const FaceMoments& other) {
@@ -32,16 +68,6 @@ void FaceMoments::add(const FaceMoments& other) {
   for (std::size_t k = 0; k < first.size(); ++k) first[k] += other.first[k];
   constant += other.constant;
   weight += other.weight;
-}
-
-model::MomentPoint moment_point(double u, double v, const MatchPull& pull, double& constant) {
-  const Eigen::Matrix3d& w = pull.weight;
-  const Eigen::Vector3d pulled = w * pull.target;
-  constant += pull.target.dot(pulled);
-  return {u,
-          v,
-          {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)},
-          {pulled[0], pulled[1], pulled[2]}};
 }
 
 std::vector<FaceMoments> collect_moments(const std::vector<model::Face>& faces,
@@ -61,13 +87,13 @@ std::vector<FaceMoments> collect_moments(const std::vector<model::Face>& faces,
   std::vector<FaceMoments> parts;
   for (const Task& task : tasks) parts.emplace_back(faces[task.face], task.face);
   tbb::parallel_for(std::size_t(0), tasks.size(), [&](std::size_t t) {
-    std::vector<model::MomentPoint> points;
-    points.reserve(tasks[t].end - tasks[t].begin);
-    for (int k = tasks[t].begin; k < tasks[t].end; ++k) {
-      const int at = of_face[tasks[t].face][k];
-      points.push_back(moment_point(matches[at].u, matches[at].v, pulls[at], parts[t].constant));
+    const auto [face, begin, end] = tasks[t];
+    PullColumns columns(end - begin);
+    for (int k = begin; k < end; ++k) {
+      const int at = of_face[face][k];
+      columns.set(k - begin, matches[at], pulls[at]);
     }
-    parts[t].add(kernels, faces[tasks[t].face], points);
+    parts[t].add(kernels, faces[face], columns.arrays(), columns.sums());
   });
   std::vector<FaceMoments> sums;
   merge_moments(parts, sums);

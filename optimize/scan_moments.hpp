@@ -19,8 +19,8 @@ struct MatchPull {
 struct FaceMoments {
   FaceMoments(const model::Face& face, int index);
 
-  void add(const model::Kernels& kernels, const model::Face& face,
-           const std::vector<model::MomentPoint>& points);
+  void add(const model::Kernels& kernels, const model::Face& face, const model::PullArrays& pulls,
+           const model::PullSums& sums);
   void add(const FaceMoments& other);
 
   int face = -1;                      ///< index into the stage's faces
@@ -28,9 +28,6 @@ struct FaceMoments {
   double constant = 0.0;              ///< sum of target' W target
   double weight = 0.0;                ///< sum of the traces of W
 };
-
-/// A pull at a match as the kernels take it; its constant is added to `constant`.
-model::MomentPoint moment_point(double u, double v, const MatchPull& pull, double& constant);
 
 /// The moments of matches by face, in the order of the faces; `pulls` belong to `matches` one by
 /// one. Pillar feet, whose Gregory terms have no moments, are left out. Runs on the threads of

@@ -2,7 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,8 @@ double product_factor(int degree, int i, int k) {
 
 MatrixXd hessian_of(const model::Face& face, const FaceMoments& sums, double scale) {
   constexpr int entry[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-  const int m = face.degree_u, n = face.degree_v, stride = model::moment_stride(n);
+  const int m = face.degree_u, n = face.degree_v;
+  const int stride = model::moment_stride(n), width = model::moment_width(n);
   const int points = (m + 1) * (n + 1);
   MatrixXd h(3 * points, 3 * points);
   for (int p = 0; p < points; ++p) {
@@ -32,9 +33,9 @@ MatrixXd hessian_of(const model::Face& face, const FaceMoments& sums, double sca
     for (int q = 0; q < points; ++q) {
       const int k = q / (n + 1), l = q % (n + 1);
       const double factor = scale * product_factor(m, i, k) * product_factor(n, j, l);
-      const double* const w = sums.second.data() + std::size_t(i + k) * stride + 6 * (j + l);
+      const double* const w = sums.second.data() + std::size_t(i + k) * stride + j + l;
       for (int a = 0; a < 3; ++a) {
-        for (int b = 0; b < 3; ++b) h(3 * p + a, 3 * q + b) = factor * w[entry[a][b]];
+        for (int b = 0; b < 3; ++b) h(3 * p + a, 3 * q + b) = factor * w[entry[a][b] * width];
       }
     }
   }
@@ -106,17 +107,18 @@ double ScanTerm::value(const double* nets, double scale, double* nets_bar) {
 void ScanTerm::factorize() {
   tbb::parallel_for(std::size_t(0), faces_.size(), [&](std::size_t k) {
     FaceSquares& face = faces_[k];
-    // H = V D V', so that R = D^(1/2) V'; directions that no point sees are left out.
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(face.hessian);
-    const VectorXd& d = solver.eigenvalues();
+    // H = P' L D L' P, so that R = D^(1/2) L' P; directions that no point sees are left out.
+    const Eigen::LDLT<MatrixXd> solver(face.hessian);
+    const VectorXd d = solver.vectorD();
     const double least = 1e-14 * std::max(d.maxCoeff(), 0.0);
     VectorXd root(d.size()), inverse(d.size());
     for (Index i = 0; i < d.size(); ++i) {
       root[i] = d[i] > least ? std::sqrt(d[i]) : 0.0;
       inverse[i] = root[i] > 0.0 ? 1.0 / root[i] : 0.0;
     }
-    face.root = root.asDiagonal() * solver.eigenvectors().transpose();
-    face.root_target = inverse.asDiagonal() * (solver.eigenvectors().transpose() * face.slope);
+    const MatrixXd order = solver.transpositionsP() * MatrixXd::Identity(d.size(), d.size());
+    face.root = root.asDiagonal() * (solver.matrixU() * order);
+    face.root_target = inverse.asDiagonal() * solver.matrixL().solve(order * face.slope);
     face.rest = std::sqrt(std::max(0.0, face.constant - face.root_target.squaredNorm()));
   });
   factorized_ = true;

@@ -8,7 +8,7 @@
 #include "tests/cli/program_run.hpp"
 
 /// Every `sh` block of README.md and docs/*.md works: it runs line by line in a folder that holds
-/// `cars`, with `bodyline` on the PATH. A command that ends in "# exit 1" must end so; all others
+/// `cars` and `examples`, with `bodyline` on the PATH. A command that ends in "# exit 1" must end so; all others
 /// must end well. Blocks that start with "./dev" set the machine up and are left out.
 namespace bodyline {
 namespace {
@@ -78,7 +78,8 @@ class DocumentedCommands : public ::testing::TestWithParam<Block> {};
 
 TEST_P(DocumentedCommands, Work) {
   const testing::TemporaryFolder folder;
-  fs::copy(fs::path(BODYLINE_SOURCE_DIR) / "cars", folder.path() / "cars");
+  for (const char* name : {"cars", "examples"})
+    fs::copy(fs::path(BODYLINE_SOURCE_DIR) / name, folder.path() / name);
   const auto run = testing::run_in(folder.path(), {"bash", "-e", "-c", GetParam().script});
   EXPECT_EQ(run.exit_code, 0) << GetParam().script << run.err;
 }
