@@ -1,6 +1,7 @@
 #include "explore/browse_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -46,7 +47,7 @@ std::vector<std::uint8_t> color_steps(double least, io::Color (*color_of)(double
   for (int k = 0; k < steps; ++k) {
     const io::Color color = color_of(least + (1.0 - least) * k / (steps - 1));
     for (int c = 0; c < 3; ++c)
-      bytes.push_back(std::uint8_t(255.0f * io::srgb_from_linear(color[c]) + 0.5f));
+      bytes.push_back(std::uint8_t(std::lround(255.0f * io::srgb_from_linear(color[c]))));
   }
   return bytes;
 }

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
     for (const Eigen::Vector3d& point : face.net) net.push_back({point.x(), point.y(), point.z()});
     if (face.blend) net.push_back({face.blend->x(), face.blend->y(), face.blend->z()});
     for (int k = 0; k < (cells + 1) * (cells + 1); ++k) {
-      const double u = double(k / (cells + 1)) / cells, v = double(k % (cells + 1)) / cells;
+      const int i = k / (cells + 1), j = k % (cells + 1);
+      const double u = double(i) / cells, v = double(j) / cells;
       const Eigen::Vector3d point = model::jet(face, u, v, 0).d[0];
       points.push_back({point.x(), point.y(), point.z()});
       const double s = std::clamp(u, inset, 1.0 - inset), t = std::clamp(v, inset, 1.0 - inset);
