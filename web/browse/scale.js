@@ -9,7 +9,7 @@
 function logTicks(least, most, count) {
   const first = Math.floor(Math.log10(least)),
     last = Math.ceil(Math.log10(most));
-  const factors = (last - first) * 3 <= count ? [1, 2, 5] : [1];
+  const factors = Math.log10(most / least) * 3 <= count + 1 ? [1, 2, 5] : [1];
   const step = Math.max(1, Math.ceil((last - first) / count));
   const ticks = [];
   for (let power = first; power <= last; power += step) {

@@ -7,6 +7,7 @@ import { ScatterMatrix } from './matrix.js';
 import { objectivesPanel } from './objectives.js';
 import { packed, Points } from './points.js';
 
+const tickSpacing = [80, 45]; // pixels across and up
 const reach = 12; // pixels around a point in which it is found
 
 export class ScatterView {
@@ -42,7 +43,10 @@ export class ScatterView {
     };
     explorer.on('filter chosen pinned pointed objectives', () => frame.request(this.draw));
     explorer.on('colour', () => this.make());
-    explorer.on('columns', () => this.make());
+    explorer.on('columns', () => {
+      this.showControls_();
+      this.make();
+    });
     theme.onChange(() => this.make());
     new ResizeObserver(() => this.make()).observe(this.host);
     this.showControls_();
@@ -100,7 +104,7 @@ export class ScatterView {
         range: log ? [least, most] : [least - margin, most + margin],
       };
     };
-    const axis = (column, side) => ({
+    const axis = (column, side, ticks) => ({
       side,
       stroke: soft,
       grid: { stroke: line, width: 1 },
@@ -111,6 +115,8 @@ export class ScatterView {
       labelFont: '12px system-ui',
       font: '11px system-ui',
       labelGap: 2,
+      splits: () => ticks,
+      filter: (_, splits) => splits,
       values: (_, splits) => splits.map((value) => (value === null ? '' : short(value, 12))),
     });
     return {
@@ -120,7 +126,10 @@ export class ScatterView {
       legend: { show: false },
       scales: { x: scale(this.scales[0]), y: scale(this.scales[1]) },
       series: [{}, { paths: () => null, points: { show: false } }],
-      axes: [axis(this.x, 2), axis(this.y, 3)],
+      axes: [
+        axis(this.x, 2, this.scales[0].ticks(width / tickSpacing[0])),
+        axis(this.y, 3, this.scales[1].ticks(height / tickSpacing[1])),
+      ],
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, setScale: false, dist: 4 } },
       hooks: {
         draw: [(plot) => this.drawPoints_(plot)],
