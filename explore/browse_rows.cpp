@@ -26,22 +26,58 @@ std::vector<BrowseObjective> usual_objectives(const Study& study) {
   return objectives;
 }
 
+// Variants with their objectives, all to be small; those that others are better than are dropped
+// from time to time, so that memory follows the front.
+class Front {
+ public:
+  explicit Front(std::size_t objectives) : objectives_(objectives) {}
+
+  void add(std::uint64_t id, const std::vector<double>& costs) {
+    ids_.push_back(id);
+    costs_.insert(costs_.end(), costs.begin(), costs.end());
+    if (ids_.size() < most_) return;
+    reduce();
+    most_ = std::max(least_most, 2 * ids_.size());
+  }
+
+  std::vector<std::uint64_t> ids() {
+    reduce();
+    return ids_;
+  }
+
+ private:
+  static constexpr std::size_t least_most = std::size_t(1) << 16;
+
+  void reduce() {
+    const std::vector<std::size_t> front = pareto_set(costs_, int(objectives_));
+    for (std::size_t k = 0; k < front.size(); ++k) {
+      ids_[k] = ids_[front[k]];
+      std::copy_n(costs_.begin() + front[k] * objectives_, objectives_,
+                  costs_.begin() + k * objectives_);
+    }
+    ids_.resize(front.size());
+    costs_.resize(front.size() * objectives_);
+  }
+
+  std::size_t objectives_, most_ = least_most;
+  std::vector<std::uint64_t> ids_;
+  std::vector<double> costs_;
+};
+
 std::vector<std::uint64_t> pareto_ids(const StoreReader& store,
                                       const std::vector<BrowseObjective>& objectives) {
   if (objectives.size() < 2) return {};
-  std::vector<std::uint64_t> ids;
-  std::vector<double> values;
+  Front front(objectives.size());
+  std::vector<double> costs(objectives.size());
   for_each_variant(store, VariantFilter(store, {}, {status_name(VariantStatus::valid)}),
                    [&](const VariantRows& rows, int row) {
-                     ids.push_back(rows.first + std::uint64_t(row));
-                     for (const BrowseObjective& objective : objectives) {
-                       const double value = objective.column.of(rows, row);
-                       values.push_back(objective.minimize ? value : -value);
+                     for (std::size_t k = 0; k < costs.size(); ++k) {
+                       const double value = objectives[k].column.of(rows, row);
+                       costs[k] = objectives[k].minimize ? value : -value;
                      }
+                     front.add(rows.first + std::uint64_t(row), costs);
                    });
-  std::vector<std::uint64_t> front;
-  for (const std::size_t k : pareto_set(values, int(objectives.size()))) front.push_back(ids[k]);
-  return front;
+  return front.ids();
 }
 
 // `kept` (rising) and as many other rows as make up `limit`: of the others, in their order, the
@@ -93,12 +129,15 @@ BrowseRows browse_rows(const StoreReader& store, const std::vector<BrowseObjecti
   BrowseRows shown;
   shown.ids = sampled_ids(store.rows(), front, std::min(store.rows(), std::uint64_t(limit)));
   shown.columns.resize(std::size_t(store.space().column_count()) + store.study().metrics.size());
-  std::size_t next = 0;
-  for_each_variant(store, VariantFilter(store, {}, {}), [&](const VariantRows& rows, int row) {
-    if (next == shown.ids.size() || rows.first + std::uint64_t(row) != shown.ids[next]) return;
-    append_row(shown, rows, row);
-    ++next;
-  });
+  constexpr std::uint64_t at_once = 4096;
+  VariantRows rows;
+  for (const std::uint64_t id : shown.ids) {
+    if (id >= rows.first + std::uint64_t(rows.count)) {
+      const std::uint64_t first = id / at_once * at_once;
+      rows = store.read(first, int(std::min(at_once, store.rows() - first)));
+    }
+    append_row(shown, rows, int(id - rows.first));
+  }
   for (const std::uint64_t id : front) {
     const auto at = std::lower_bound(shown.ids.begin(), shown.ids.end(), id);
     shown.pareto.push_back(int(at - shown.ids.begin()));

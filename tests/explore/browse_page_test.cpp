@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -114,6 +115,37 @@ TEST(BrowseRows, HaveTheParetoSetOfTheirMetrics) {
   std::vector<int> expected;
   for (const std::size_t row : explore::pareto_set(costs, 2)) expected.push_back(int(row));
   EXPECT_EQ(rows.pareto, expected);
+}
+
+// Metrics of a made-up variant, scattered.
+double scattered(std::uint64_t id, int metric) {
+  return std::fmod(double(id + 1) * (metric == 0 ? 0.6180339887498949 : 0.7548776662466927), 1.0);
+}
+
+TEST(BrowseRows, HaveTheParetoSetOfAStoreThatIsLargerThanWhatIsHeldAtOnce) {
+  constexpr int count = 200000, at_once = 20000;
+  const Folder folder;
+  const explore::Study study = small_study(count);
+  const explore::DesignSpace space(study);
+  auto store = explore::StoreWriter::create(folder / "a.h5", study, space, count, false);
+  std::vector<double> costs;
+  for (int first = 0; first < count; first += at_once) {
+    auto rows = explore::make_rows(store.layout(), std::uint64_t(first), at_once);
+    for (int k = 0; k < 2 * at_once; ++k)
+      rows.metrics[k] = scattered(std::uint64_t(first + k / 2), k % 2);
+    costs.insert(costs.end(), rows.metrics.begin(), rows.metrics.end());
+    store.append(rows);
+  }
+  store.finish();
+  std::vector<std::uint64_t> expected;
+  for (const std::size_t row : explore::pareto_set(costs, 2)) expected.push_back(row);
+  const StoreReader reader(folder / "a.h5");
+  const BrowseRows shown = explore::browse_rows(
+      reader, explore::browse_objectives(reader, {"bending", "height"}, {}), 1000);
+  EXPECT_GT(expected.size(), 5u);
+  EXPECT_EQ(pareto_ids(shown), expected);
+  for (int row = 0; row < shown.count(); ++row)
+    EXPECT_EQ(shown.columns[variables][row], scattered(shown.ids[row], 0));
 }
 
 TEST(BrowseObjectives, AreTwoMetricsToBeSmallUnlessGiven) {
