@@ -54,3 +54,8 @@ export function tick(label, checked, choose) {
   const input = element('input', { type: 'checkbox', checked, onchange: () => choose(input.checked) });
   return element('label', { class: 'tick' }, input, label);
 }
+
+/** A name that lines may break after its dots and underscores: the children of an element. */
+export function breakable(name) {
+  return name.split(/(?<=[._])/).flatMap((part, k) => (k === 0 ? [part] : [element('wbr'), part]));
+}

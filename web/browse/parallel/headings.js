@@ -1,5 +1,5 @@
 // The names above the axes: press for the menu, drag to reorder.
-import { element } from '../dom.js';
+import { breakable, element } from '../dom.js';
 import { openAxisMenu } from './axis_menu.js';
 
 const most = 112; // pixels; the outermost ones stay within the margin
@@ -20,7 +20,7 @@ export function heading(explorer, axis, spacing) {
       'data-column': String(axis.column),
       'aria-haspopup': 'dialog',
     },
-    element('span', { textContent: about.name }),
+    element('span', {}, ...breakable(about.name)),
   );
   if (about.unit && about.unit !== '1') button.append(element('small', { textContent: about.unit }));
   button.style.left = `${axis.x}px`;

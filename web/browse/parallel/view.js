@@ -9,6 +9,7 @@ import { drawMarks } from './marks.js';
 
 const lineTime = 6; // milliseconds of a frame for lines
 const mostSharp = 10000; // rows that are drawn with all pixels of a fine screen
+const mostWidth = 16000; // pixels of a canvas that every browser draws
 const tickSpacing = 44;
 
 export class ParallelView {
@@ -69,7 +70,8 @@ export class ParallelView {
     [...this.plot.querySelectorAll('.axis')].forEach((old) => old.remove());
     this.inner.prepend(...axes.map((axis) => heading(explorer, axis, spacing)));
     this.plot.append(...axes.map((axis) => this.axisElement_(axis)));
-    this.density = explorer.dataset.count > mostSharp ? 1 : Math.min(2, devicePixelRatio || 1);
+    this.sharpness = Math.min(2, devicePixelRatio || 1, mostWidth / width);
+    this.density = explorer.dataset.count > mostSharp ? Math.min(1, this.sharpness) : this.sharpness;
     const pixels = [Math.round(width * this.density), Math.round(this.height * this.density)];
     const scaled = axes.map((axis) => ({
       x: Math.round(axis.x * this.density),
@@ -80,9 +82,7 @@ export class ParallelView {
     });
     this.ghost.begin(...pixels, scaled, null);
     this.lines.begin(...pixels, scaled, this.shades_());
-    [this.marks.width, this.marks.height] = [width, this.height].map((size) =>
-      Math.round(size * (devicePixelRatio || 1)),
-    );
+    [this.marks.width, this.marks.height] = [width, this.height].map((size) => Math.round(size * this.sharpness));
     this.placeRanges_();
     this.request_();
   }
@@ -118,7 +118,7 @@ export class ParallelView {
 
   drawMarks_() {
     const context = this.marks.getContext('2d'),
-      density = devicePixelRatio || 1;
+      density = this.sharpness;
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, this.marks.width, this.marks.height);
     drawMarks(context, this.axes, (axis, row) => axis.rows[row] / this.density, this.explorer, this.theme.colours);

@@ -1,5 +1,5 @@
 // All numbers of the chosen variant, its neighbours, and what can be done with it.
-import { choices, element } from '../dom.js';
+import { breakable, choices, element } from '../dom.js';
 import { exact, short } from '../format.js';
 import { nearest } from '../neighbours.js';
 import { openCopyDialog } from './copy.js';
@@ -80,7 +80,7 @@ export class VariantPanel {
       return element(
         'tr',
         { 'data-column': String(column) },
-        element('th', { textContent: about.name, title: about.name }),
+        element('th', { title: about.name }, ...breakable(about.name)),
         element(
           'td',
           {},
