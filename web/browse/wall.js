@@ -43,7 +43,8 @@ export class WallView {
     this.waiting = [];
     this.paintNext = () => this.paintNext_();
     this.mark = () => this.mark_();
-    explorer.on('filter chosen pinned objectives', () => frame.request(this.mark));
+    explorer.on('filter', () => frame.later(this.mark));
+    explorer.on('chosen pinned objectives', () => frame.request(this.mark));
     this.mark_();
   }
 

@@ -49,7 +49,9 @@ export class ParallelView {
     new ResizeObserver(() => {
       if (this.root.clientWidth !== this.width || this.plot.clientHeight !== this.height) this.layOut();
     }).observe(this.root);
-    this.plot.addEventListener('pointermove', (event) => explorer.point(this.rowAt_(event)));
+    this.plot.addEventListener('pointermove', (event) => {
+      if (event.buttons === 0) explorer.point(this.rowAt_(event));
+    });
     this.plot.addEventListener('pointerleave', () => explorer.point(-1));
     this.plot.addEventListener('click', (event) => {
       const row = this.rowAt_(event);

@@ -6,7 +6,6 @@ import { orderBy, selectedInOrder } from './order.js';
 
 const rowHeight = 28,
   spare = 6;
-const pause = 120; // milliseconds between drawings while a range is dragged
 
 export class TableView {
   /**
@@ -104,10 +103,7 @@ export class TableView {
   rows_() {
     const { filter } = this.explorer;
     this.stale = true;
-    this.waits ??= setTimeout(() => {
-      this.waits = null;
-      this.request_();
-    }, pause);
+    this.frame.later(this.draw);
     this.exporter.textContent = `Export ${counted(filter.count)} as CSV`;
     this.exporter.disabled = filter.count === 0;
   }
