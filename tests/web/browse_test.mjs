@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { openBrowser, openPage } from './browser.mjs';
 import { choose, exported, selectedText, setRange, settled } from './page_actions.mjs';
-import { blockNumbers, description } from './page_data.mjs';
+import { blockNumbers, blockText, description } from './page_data.mjs';
 import { bodyline, makeFolder, makeStore, needBrowser, numberOf, packages, readTable, run } from './support.mjs';
 
 needBrowser();
@@ -36,6 +36,18 @@ test('every number in the page has all bits of that in the store', () => {
     assert.equal(about.statuses[statuses[at]], row.status);
     assert.equal(about.causes[causes[at]], row.cause);
   });
+});
+
+test('thumbnails are those of the store', () => {
+  const kept = makeStore(folder, 'pictures', 5, '[keep]\nthumbnails = 96');
+  run(folder, 'browse pictures.h5 -o pictures.html --bodies 0');
+  const pictures = JSON.parse(blockText(readFileSync(join(folder, 'pictures.html'), 'utf8'), 'pictures'));
+  const built = kept.filter(({ img }, row) => {
+    const file = readFileSync(join(folder, img));
+    return pictures[row] !== undefined && file.equals(Buffer.from(pictures[row], 'base64'));
+  });
+  assert.equal(built.length, kept.filter(({ status }) => status !== 'fullness').length);
+  assert.ok(built.length > 1);
 });
 
 test('a chosen variant shows its numbers with all their digits', async () => {
