@@ -33,9 +33,14 @@ class Collector : public benchmark::ConsoleReporter {
 
  private:
   void collect(const Run& run) {
-    const bool real = !run.run_name.time_type.empty();
+    const std::string& name = run.run_name.function_name;
+    const bool real = run.run_name.time_type.find("real_time") != std::string::npos;
     const double seconds = real ? run.real_accumulated_time : run.cpu_accumulated_time;
-    samples_[run.run_name.function_name].push_back(seconds / static_cast<double>(run.iterations));
+    samples_[name].push_back(seconds / static_cast<double>(run.iterations));
+    if (real) {
+      samples_[name + processor_time].push_back(run.cpu_accumulated_time /
+                                                static_cast<double>(run.iterations));
+    }
   }
 
   Samples samples_;
@@ -67,10 +72,20 @@ void print(const Samples& samples, const Share& share) {
   std::printf("\n");
 }
 
+void print(const Samples& samples, const Rate& rate) {
+  const auto time = median(samples, rate.name);
+  if (!time) return;
+  const double value = rate.items / *time;
+  std::printf("%-70s %8.0f/s", rate.label.c_str(), value);
+  if (rate.target > 0.0)
+    std::printf("  (>= %g: %s)", rate.target, verdict(value, rate.target, false));
+  std::printf("\n");
+}
+
 void print(const Samples& samples, const Ratio& ratio) {
   const auto slow = median(samples, ratio.slow), fast = median(samples, ratio.fast);
   if (!slow || !fast) return;
-  const double value = *slow / *fast;
+  const double value = *slow * ratio.scale / *fast;
   std::printf("%-70s %8.2f", ratio.label.c_str(), value);
   if (ratio.target > 0.0) {
     std::printf("  (%s %g: %s)", ratio.at_most ? "<=" : ">=", ratio.target,
@@ -98,6 +113,10 @@ int run_and_report(int argc, char** argv, const std::vector<Report>& reports) {
   std::printf("\nShare of the peak, medians\n");
   for (const Report& report : reports) {
     for (const Share& share : report.shares) print(collector.samples(), share);
+  }
+  std::printf("\nRates, medians\n");
+  for (const Report& report : reports) {
+    for (const Rate& rate : report.rates) print(collector.samples(), rate);
   }
   std::printf("\nRatios of medians, same run\n");
   for (const Report& report : reports) {

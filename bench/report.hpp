@@ -6,12 +6,17 @@
 /// Tables that bodyline_bench prints after its run, from the medians of the repetitions.
 namespace bodyline::bench {
 
+/// Behind the name of a benchmark that is measured in real time: its processor time instead, that
+/// of all threads if it asks for that.
+inline constexpr const char* processor_time = " (processor time)";
+
 /// Two benchmarks that do the same work: how many times `slow` takes as long as `fast`.
 struct Ratio {
   std::string label;
   std::string slow, fast;  ///< names of benchmarks
   double target = 0.0;     ///< 0: none
   bool at_most = false;    ///< the ratio should stay below the target, not above
+  double scale = 1.0;      ///< how many times more work `fast` does
 };
 
 /// A benchmark as a share of the core's FMA peak.
@@ -25,8 +30,17 @@ struct Share {
   double nodes = 0.0;            ///< per iteration, for the column ns/node
 };
 
+/// How often something is done in a second.
+struct Rate {
+  std::string label;
+  std::string name;     ///< of the benchmark
+  double items = 0.0;   ///< per iteration
+  double target = 0.0;  ///< per second; 0: none
+};
+
 struct Report {
   std::vector<Share> shares;
+  std::vector<Rate> rates;
   std::vector<Ratio> ratios;
 };
 

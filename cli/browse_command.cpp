@@ -30,11 +30,20 @@ std::string summary_text(const explore::BrowseSummary& summary, const std::strin
                      pareto, summary.bodies, path);
 }
 
+// Those given, else the goals of the optimizer that made the store, unless it has but one.
+Objectives objectives_of(const explore::StoreReader& store, const Objectives& given) {
+  Objectives objectives = given;
+  take_goals(store, objectives);
+  const bool alone = objectives.minimize.size() + objectives.maximize.size() < 2;
+  return alone ? given : objectives;
+}
+
 void run(Context& context, Request& request) {
   check_output(request.output, request.store, {".html"});
   const explore::StoreReader store(request.store);
-  request.page.minimize = request.objectives.minimize;
-  request.page.maximize = request.objectives.maximize;
+  const Objectives objectives = objectives_of(store, request.objectives);
+  request.page.minimize = objectives.minimize;
+  request.page.maximize = objectives.maximize;
   explore::BrowseSummary summary;
   io::write_file(request.output.path, explore::browse_page(store, request.page, summary),
                  request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);

@@ -14,7 +14,10 @@
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
 #include "explore/read_study.hpp"
+#include "explore/run_optimizer.hpp"
+#include "explore/run_ranks.hpp"
 #include "explore/run_study.hpp"
+#include "explore/tuned_source.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -36,20 +39,35 @@ void check_request(const Request& request) {
   if (!request.resume) check_output(request.output, request.study, {".h5", ".hdf5"});
 }
 
-explore::StoreWriter open_store(const Request& request, const explore::VariantPlan& plan,
-                                const explore::VariantSource& source) {
+using Plan = std::shared_ptr<const explore::VariantPlan>;
+
+explore::StoreWriter open_store(const Request& request, const Plan& plan) {
   if (request.resume)
-    return explore::StoreWriter::resume(request.output.path, plan.study, request.store);
-  return explore::StoreWriter::create(request.output.path, plan.study, plan.space, source.size(),
-                                      request.output.overwrite, request.store);
+    return explore::StoreWriter::resume(request.output.path, plan->study, request.store);
+  return explore::StoreWriter::create(request.output.path, plan->study, plan->space,
+                                      explore::planned_rows(plan), request.output.overwrite,
+                                      request.store);
 }
 
-explore::RunProgress run_plan(Context& context, const Request& request,
-                              const std::shared_ptr<const explore::VariantPlan>& plan,
-                              const explore::VariantSource& source) {
+// `owner` is null in a run of one process. What chooses variants by the results of others runs on
+// one rank.
+explore::RunProgress make_rows(const Request& request, const Plan& plan,
+                               explore::StoreWriter& store, const explore::RunOptions& options,
+                               explore::RankOwner* owner) {
+  if (explore::chooses_by_results(plan->study)) {
+    const explore::StoreReader begun(request.output.path);
+    return explore::run_optimizer(plan, store, begun, options);
+  }
+  const std::unique_ptr<explore::VariantSource> source = explore::plan_source(plan);
+  return owner ? owner->run(plan, *source, store, options)
+               : explore::run_study(plan, *source, store, options);
+}
+
+explore::RunProgress run_plan(Context& context, const Request& request, const Plan& plan,
+                              explore::RankOwner* owner) {
   const Interrupt interrupt;
   Progress progress(context, "exploring");
-  explore::StoreWriter store = open_store(request, *plan, source);
+  explore::StoreWriter store = open_store(request, plan);
   explore::RunOptions options;
   options.threads = request.threads;
   options.should_stop = [&] { return interrupt.requested(); };
@@ -57,17 +75,16 @@ explore::RunProgress run_plan(Context& context, const Request& request,
     progress.update(double(run.done) / double(std::max<std::uint64_t>(1, run.planned)),
                     progress_text(plan->study, run));
   };
-  const explore::RunProgress result = explore::run_study(plan, source, store, options);
+  const explore::RunProgress result = make_rows(request, plan, store, options, owner);
   store.finish();
   return result;
 }
 
-void run(Context& context, const Request& request) {
+void run_alone(Context& context, const Request& request, explore::RankOwner* owner) {
   check_request(request);
   const auto plan = std::make_shared<explore::VariantPlan>(explore::read_study(request.study));
-  const auto source = explore::make_source(plan->study, plan->space);
   if (request.check) {
-    const explore::StudyEstimate estimate = explore::estimate_study(plan, *source);
+    const explore::StudyEstimate estimate = explore::estimate_study(plan);
     if (request.json) {
       print_json(context, estimate_json(*plan, estimate, request.threads));
     } else {
@@ -75,13 +92,26 @@ void run(Context& context, const Request& request) {
     }
     return;
   }
-  const explore::RunProgress result = run_plan(context, request, plan, *source);
+  const explore::RunProgress result = run_plan(context, request, plan, owner);
   if (request.json) {
     print_json(context, result_json(plan->study, result, request.output.path));
   } else {
     *context.out << result_text(plan->study, result, request.output.path);
   }
   if (result.done < result.planned) context.exit_code = exit_findings;
+}
+
+// Under mpirun rank 0 speaks and writes; the others measure for it.
+void run(Context& context, const Request& request) {
+  const std::unique_ptr<explore::Ranks> ranks = explore::launched_ranks();
+  if (!ranks || ranks->size() == 1) return run_alone(context, request, nullptr);
+  if (ranks->rank() > 0) {
+    const Interrupt interrupt;
+    return explore::serve_ranks(*ranks, request.threads, [&] { return interrupt.requested(); });
+  }
+  explore::RankOwner owner(*ranks);
+  run_alone(context, request, &owner);
+  context.out->flush();  // mpirun may end the program while the others leave
 }
 
 }  // namespace

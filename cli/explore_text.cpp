@@ -58,7 +58,8 @@ double seconds_for_all(const explore::StudyEstimate& estimate, int threads) {
 
 std::string progress_text(const Study& study, const RunProgress& run) {
   const double rate = rate_of(run);
-  std::string text = fmt::format("{:.0f}/s", rate);
+  std::string text = run.note.empty() ? "" : run.note + ", ";
+  text += fmt::format("{:.0f}/s", rate);
   if (rate > 0.0)
     text += fmt::format(", {} left", duration_text(double(run.planned - run.done) / rate));
   text += status_text(run);
@@ -72,6 +73,8 @@ std::string result_text(const Study& study, const RunProgress& run, const std::s
   std::string text =
       fmt::format("{} of {} variants measured in {}, {:.0f}/s{}\n", run.measured, run.planned,
                   duration_text(run.seconds), rate_of(run), status_text(run));
+  if (run.evaluations > 0)
+    text += fmt::format("{} evaluations of all goals with their gradients\n", run.evaluations);
   if (run.best) {
     text += fmt::format("least {} of a valid variant: {:.6g}, variant {}\n",
                         study.metrics.front().name, *run.best, run.best_row);
@@ -89,10 +92,15 @@ Json result_json(const Study& study, const RunProgress& run, const std::string& 
   Json best = nullptr;
   if (run.best)
     best = {{"metric", study.metrics.front().name}, {"value", *run.best}, {"id", run.best_row}};
-  return {{"store", path},          {"planned", run.planned},
-          {"done", run.done},       {"measured", run.measured},
-          {"seconds", run.seconds}, {"variants_per_second", rate_of(run)},
-          {"by_status", by_status}, {"best", best}};
+  return {{"store", path},
+          {"planned", run.planned},
+          {"done", run.done},
+          {"measured", run.measured},
+          {"seconds", run.seconds},
+          {"variants_per_second", rate_of(run)},
+          {"evaluations", run.evaluations},
+          {"by_status", by_status},
+          {"best", best}};
 }
 
 std::string estimate_text(const explore::VariantPlan& plan, const explore::StudyEstimate& estimate,

@@ -18,10 +18,14 @@ Interrupt::Interrupt() {
   struct sigaction action {};
   action.sa_handler = remember_request;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // the next one ends the program
-  sigaction(SIGINT, &action, &before_);
+  sigaction(SIGINT, &action, &before_interrupt_);
+  sigaction(SIGTERM, &action, &before_terminate_);
 }
 
-Interrupt::~Interrupt() { sigaction(SIGINT, &before_, nullptr); }
+Interrupt::~Interrupt() {
+  sigaction(SIGINT, &before_interrupt_, nullptr);
+  sigaction(SIGTERM, &before_terminate_, nullptr);
+}
 
 bool Interrupt::requested() const { return asked; }
 

@@ -4,7 +4,8 @@
 
 namespace bodyline::cli {
 
-/// While one lives, Ctrl-C asks for a stop instead of ending the program; a second Ctrl-C ends it.
+/// While one lives, Ctrl-C, or SIGTERM as mpirun and batch systems send it, asks for a stop instead
+/// of ending the program; a second one of the same kind ends it.
 /// Only for work that polls `requested`; at most one at a time.
 class Interrupt {
  public:
@@ -16,7 +17,8 @@ class Interrupt {
   bool requested() const;
 
  private:
-  struct sigaction before_ {};
+  struct sigaction before_interrupt_ {
+  }, before_terminate_{};
 };
 
 }  // namespace bodyline::cli

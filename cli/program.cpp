@@ -24,6 +24,7 @@
 #include "cli/space_command.hpp"
 #include "cli/strokes_command.hpp"
 #include "cli/variables_command.hpp"
+#include "explore/ranks.hpp"
 #include "model/connect.hpp"
 #include "model/suggest.hpp"
 
@@ -109,6 +110,8 @@ int parse_and_run(CLI::App& program, int argc, const char* const* argv, Context&
   } catch (const CLI::Success& request) {  // --help and --version
     return program.exit(request, *context.out, *context.err);
   } catch (const CLI::ParseError& error) {
+    // Of the ranks of a parallel run the first one says what is wrong.
+    if (explore::launched_rank() > 0 && command_word(argc, argv) == "explore") return exit_fine;
     return fail(context, usage_sentence(program, error, argc, argv));
   }
   context.out->flush();

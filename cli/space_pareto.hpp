@@ -13,6 +13,9 @@ struct Objectives {
   std::vector<std::string> minimize, maximize;
 };
 
+/// Where none are given: the goals of the optimizer that made a store.
+void take_goals(const explore::StoreReader& store, Objectives& objectives);
+
 /// Adds --minimize and --maximize.
 void add_objectives(CLI::App& command, Objectives& objectives);
 

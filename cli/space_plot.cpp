@@ -64,16 +64,17 @@ io::ScatterSeries front_series(const explore::StoreReader& store, const Request&
   return front;
 }
 
-void run(Context& context, const Request& request, const std::string& path) {
+void run(Context& context, Request request, const std::string& path) {
   check_output(request.output, path, {".png", ".svg"});
   const explore::StoreReader store(path);
+  take_goals(store, request.front);
   io::ScatterPlot plot;
   plot.x_label = label(store, request.x);
   plot.y_label = label(store, request.y);
   plot.log_x = request.log_x;
   plot.log_y = request.log_y;
   plot.series = status_series(store, request);
-  if (!request.front.minimize.empty() || !request.front.maximize.empty())
+  if (request.front.minimize.size() + request.front.maximize.size() > 1)
     plot.series.push_back(front_series(store, request));
   io::write_scatter_plot(plot, request.output.path,
                          request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);

@@ -93,6 +93,46 @@ bool varies_more_along_u(const BernsteinPatch& p) {
   return along_u > along_v;
 }
 
+// Value and first two derivatives of the polynomial c[0..n] at t, n >= 2, by de Casteljau.
+struct CurveJet {
+  double d[3];
+};
+CurveJet curve_jet(const double* c, int n, double t) {
+  double b[model::max_degree + 1];
+  std::copy_n(c, n + 1, b);
+  for (int level = n; level > 2; --level) {
+    for (int k = 0; k < level; ++k) b[k] += t * (b[k + 1] - b[k]);
+  }
+  const double first = b[1] - b[0], second = b[2] - b[1];
+  const double p0 = b[0] + t * first, p1 = b[1] + t * second;
+  return {{p0 + t * (p1 - p0), n * (p1 - p0), n * (n - 1) * (second - first)}};
+}
+
+// Whether c[0..n] is concave and highest between its ends.
+bool is_arch(const double* c, int n) {
+  if (n < 2 || !(c[1] > c[0]) || !(c[n] < c[n - 1])) return false;
+  for (int k = 2; k <= n; ++k) {
+    if (c[k] - c[k - 1] > c[k - 1] - c[k - 2]) return false;
+  }
+  return true;
+}
+
+// The top of an arch, by Newton's method within a bracket. A concave function lies below its
+// tangents: they say when the top is found, or that it is not the best.
+void climb_arch(const double* c, int n, double& best) {
+  double low = 0.0, high = 1.0;
+  double t = (c[1] - c[0]) / ((c[1] - c[0]) + (c[n - 1] - c[n]));
+  for (int step = 0; step < deepest; ++step) {
+    const CurveJet f = curve_jet(c, n, t);
+    (f.d[1] > 0.0 ? low : high) = t;
+    const double rest = f.d[1] > 0.0 ? f.d[1] * (high - t) : f.d[1] * (low - t);
+    best = std::max(best, f.d[0]);
+    if (f.d[0] + rest <= best + tolerance) return;
+    t -= f.d[1] / f.d[2];
+    if (!(t > low && t < high)) t = 0.5 * (low + high);
+  }
+}
+
 void raise(BernsteinPatch& p, int depth, double& best) {
   best = std::max(best, largest_corner(p));
   if (*std::max_element(p.c, p.c + count(p)) <= best + tolerance || depth == deepest) return;
@@ -103,6 +143,9 @@ void raise(BernsteinPatch& p, int depth, double& best) {
     if (const int trend = trend_v(p); trend != 0) keep_edge_v(p, trend > 0);
   }
   if (p.degree_u == 0 && p.degree_v == 0) return;  // a corner
+  // Along an edge the coefficients lie side by side.
+  if (const int n = p.degree_u + p.degree_v; count(p) == n + 1 && is_arch(p.c, n))
+    return climb_arch(p.c, n, best);
   BernsteinPatch second;
   if (varies_more_along_u(p)) {
     split_u(p, second);
@@ -116,7 +159,10 @@ void raise(BernsteinPatch& p, int depth, double& best) {
 }  // namespace
 
 double maximum(const BernsteinPatch& patch, double best) {
-  BernsteinPatch work = patch;
+  BernsteinPatch work;  // the room behind the coefficients is not worth a copy
+  work.degree_u = patch.degree_u;
+  work.degree_v = patch.degree_v;
+  std::copy_n(patch.c, count(patch), work.c);
   raise(work, 0, best);
   return best;
 }

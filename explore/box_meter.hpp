@@ -28,14 +28,17 @@ class BoxMeter {
   /// one. Allocates nothing.
   BodyReach measure(const double* nets);
 
- private:
   struct Bounds {
     double low[3], high[3];
   };
+
+ private:
+  void bound_faces(const double* nets);
   double furthest(const double* nets, int axis, double sign) const;
 
   const model::BodyPlan* plan_;
   std::vector<Bounds> bounds_;  // of each face's net
+  Bounds corners_;              // of the corners of all nets, which are points of faces
 };
 
 }  // namespace bodyline::explore

@@ -4,7 +4,10 @@
 #include <chrono>
 
 #include "explore/block_codec.hpp"
+#include "explore/goal_functions.hpp"
 #include "explore/measure_rows.hpp"
+#include "explore/optimizer_kind.hpp"
+#include "optimize/constrained_search.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -12,16 +15,38 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds timed_for{50};
+constexpr int tried_evaluations = 20;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+// The longest that a search by gradients may take for a row, by the beginnings of a few.
+double seconds_of_search(const std::shared_ptr<const VariantPlan>& plan, const VariantRows& rows) {
+  const auto& optimizer = plan->study.optimizer;
+  if (!optimizer || !uses_gradients(optimizer->kind)) return 0.0;
+  GoalFunctions functions(plan, GoalFunctions::Goals::each);
+  optimize::ConstrainedSearch search;
+  for (int k = 0; k < functions.goal_count(); ++k) search.aims.push_back({k});
+  search.first_constraint = functions.goal_count();
+  search.max_evaluations = std::min(optimizer->evaluations, tried_evaluations);
+  const std::size_t columns = std::size_t(plan->space.column_count());
+  const Clock::time_point begin = Clock::now();
+  int evaluations = 0;
+  for (std::size_t row = 0; row < std::size_t(rows.count); ++row) {
+    const auto values = std::span(rows.values).subspan(row * columns, columns);
+    evaluations += optimize::search_constrained(functions, functions.space().point(values), search)
+                       .evaluations;
+  }
+  return optimizer->evaluations * seconds_since(begin) / evaluations;
+}
+
 }  // namespace
 
-StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan,
-                             const VariantSource& source) {
+StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan) {
   StudyEstimate estimate;
+  const auto starts = make_source(plan->study, plan->space);
+  const VariantSource& source = *starts;
   estimate.variants = source.size();
   const StoreLayout layout(plan->study, plan->space);
   VariantRows& rows = estimate.tried;
@@ -41,7 +66,8 @@ StudyEstimate estimate_study(const std::shared_ptr<const VariantPlan>& plan,
     measure_rows(evaluator, rows);
     ++times;
   } while (Clock::now() - begin < timed_for);
-  estimate.seconds_per_variant = seconds_since(begin) / (times * rows.count);
+  estimate.seconds_per_variant =
+      seconds_since(begin) / (times * rows.count) + seconds_of_search(plan, rows);
 
   // How far a block compresses, seen on one whose metrics are those of the three.
   VariantRows block = make_rows(

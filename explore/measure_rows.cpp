@@ -47,4 +47,13 @@ void measure_rows(VariantEvaluator& evaluator, VariantRows& rows) {
   }
 }
 
+std::shared_ptr<VariantRows> measure_range(VariantEvaluator& evaluator, const StoreLayout& layout,
+                                           const VariantSource& source, std::uint64_t first,
+                                           int count) {
+  auto rows = std::make_shared<VariantRows>(make_rows(layout, first, count));
+  source.values(first, count, rows->values);
+  measure_rows(evaluator, *rows);
+  return rows;
+}
+
 }  // namespace bodyline::explore

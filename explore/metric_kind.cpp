@@ -12,7 +12,7 @@ struct MetricFacts {
   const char* unit;
 };
 
-constexpr std::array<MetricFacts, 18> facts{{{MetricKind::bending, "bending", "1"},
+constexpr std::array<MetricFacts, 19> facts{{{MetricKind::bending, "bending", "1"},
                                              {MetricKind::variation, "variation", "1"},
                                              {MetricKind::area, "area", "m2"},
                                              {MetricKind::fold, "fold", "1"},
@@ -29,7 +29,8 @@ constexpr std::array<MetricFacts, 18> facts{{{MetricKind::bending, "bending", "1
                                              {MetricKind::folds, "folds", "1"},
                                              {MetricKind::kink, "kink", "deg"},
                                              {MetricKind::gap, "gap", "mm"},
-                                             {MetricKind::scan, "scan", "mm"}}};
+                                             {MetricKind::scan, "scan", "mm"},
+                                             {MetricKind::outline, "outline", "mm"}}};
 
 }  // namespace
 

@@ -24,7 +24,8 @@ enum class MetricKind {
   folds,         ///< number of folded faces
   kink,          ///< largest angle between normals at edges, degrees
   gap,           ///< largest distance of faces at edges, mm
-  scan           ///< root mean square distance of a scan's points, mm
+  scan,          ///< root mean square distance of a scan's points, mm
+  outline        ///< root mean square distance of drawn outlines, both ways, mm
 };
 
 /// "bending", ...; metric_kind throws std::invalid_argument listing the names.

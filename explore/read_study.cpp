@@ -99,7 +99,7 @@ Study read_study_text(const std::string& text, const std::filesystem::path& path
   const io::ModelFile file(text, path.string());
   const FileTable root(file, file.root(), "");
   root.allow_only({"format", "name", "note", "model", "choice", "blend", "variables", "metrics",
-                   "constraints", "sampler", "checks", "keep", "nodes"},
+                   "constraints", "sampler", "optimizer", "checks", "keep", "nodes"},
                   "a study");
   check_format(root);
   Study study;
@@ -113,7 +113,7 @@ Study read_study_text(const std::string& text, const std::filesystem::path& path
   read_variables(root, study);
   read_metrics(root, study);
   read_constraints(root, study);
-  read_sampler(root, study);
+  read_choice_of_variants(root, study);
   read_checks(root, study);
   read_keep(root, study);
   if (study.sampler.kind == SamplerKind::list)

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "explore/store_writer.hpp"
 #include "explore/variant_evaluator.hpp"
@@ -21,6 +22,8 @@ struct RunProgress {
   std::array<std::uint64_t, status_count> by_status{};
   std::optional<double> best;  ///< smallest first metric of a valid variant
   std::uint64_t best_row = 0;
+  std::string note;               ///< of an optimizer: where it is
+  std::uint64_t evaluations = 0;  ///< of searches by gradients: of all metrics and gradients
 };
 
 /// Counts rows that were measured.

@@ -3,6 +3,7 @@
 #include <hdf5_hl.h>
 
 #include "explore/hdf5_write.hpp"
+#include "explore/optimizer_kind.hpp"
 #include "explore/sampler_kind.hpp"
 #include "explore/variant_plan.hpp"
 #include "explore/variant_status.hpp"
@@ -149,7 +150,10 @@ void fill(hid_t file, const Study& study, const DesignSpace& space, std::uint64_
   write_attribute(file, "version", BODYLINE_VERSION);
   write_attribute(file, "schema", store_schema);
   write_attribute(file, "study", study.name);
-  write_attribute(file, "sampler", sampler_name(study.sampler.kind));
+  if (study.optimizer)
+    write_attribute(file, "optimizer", optimizer_name(study.optimizer->kind));
+  else
+    write_attribute(file, "sampler", sampler_name(study.sampler.kind));
   write_attribute(file, "seed", study.sampler.seed);
   write_attribute(file, "planned_rows", planned);
   make_counter(file);

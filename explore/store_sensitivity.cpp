@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "explore/optimizer_kind.hpp"
 #include "explore/sampler_kind.hpp"
 #include "explore/sampler_sensitivity.hpp"
 #include "explore/variant_filter.hpp"
@@ -36,6 +37,11 @@ StoreSensitivity store_sensitivity(const StoreReader& store, const std::string& 
   const StoreColumn column = store_column(store, metric);
   if (!column.is_metric) throw std::invalid_argument("'" + metric + "' is a variable, no metric");
   const SamplerSpec& sampler = store.study().sampler;
+  if (store.study().optimizer) {
+    throw std::invalid_argument("the store was made by the optimizer \"" +
+                                optimizer_name(store.study().optimizer->kind) +
+                                "\"; sensitivities come from the samplers morris and saltelli");
+  }
   if (sampler.kind != SamplerKind::morris && sampler.kind != SamplerKind::saltelli) {
     throw std::invalid_argument("the store has the design \"" + sampler_name(sampler.kind) +
                                 "\"; sensitivities come from \"morris\" or \"saltelli\"");

@@ -221,8 +221,12 @@ void StoreWriter::append(const VariantRows& rows) {
   state_->throw_failure();
 }
 
-void StoreWriter::finish() {
+void StoreWriter::flush() {
   if (state_->incomplete.count > 0) state_->push(encode_block(state_->layout, state_->incomplete));
+}
+
+void StoreWriter::finish() {
+  flush();
   state_->stop(true);
   state_->throw_failure();
 }

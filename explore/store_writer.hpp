@@ -38,6 +38,8 @@ class StoreWriter {
 
   /// Appends rows, `rows.first` == rows(). For those who have few at a time.
   void append(const VariantRows& rows);
+  /// Hands the rows of an incomplete block to the disk too, for those who have few in a long time.
+  void flush();
 
   /// Takes away the rows of the last, incomplete block, for those who append whole blocks: they
   /// begin with these again.

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "explore/metric_kind.hpp"
 #include "model/model.hpp"
 #include "model/surface.hpp"
+#include "optimize/algorithm.hpp"
 
 /// Families of variants: what varies, what is measured, where it is kept (docs/exploring.md).
 namespace bodyline::explore {
@@ -62,6 +64,7 @@ struct MetricSpec {
   std::string scan;                ///< file, of the distance to a scan
   int points = 2000;               ///< of the scan that are used
   bool posed = false;              ///< the scan lies on the models as it is, in mm
+  std::string views;               ///< files of drawn outlines, as io/parse_views.hpp reads them
 };
 
 /// A metric that must lie in a range; a variant that breaks it is recorded as infeasible.
@@ -96,6 +99,31 @@ struct SamplerSpec {
   std::string file;           ///< of list
 };
 
+enum class OptimizerKind {
+  local,  ///< a search by gradients from each start of a sampler
+  nsga2,  ///< evolution of a population towards a front (Deb and others, 2002)
+  moead,  ///< the same by decomposition (Zhang and Li, 2007)
+  front   ///< a front of two objectives by their gradients, from point to point
+};
+
+/// A metric that should be small: `weight` times it; large for a negative weight.
+struct Goal {
+  std::string metric;
+  double weight = 1.0;
+};
+
+/// What chooses variants by the results of others.
+struct OptimizerSpec {
+  OptimizerKind kind = OptimizerKind::nsga2;
+  std::vector<Goal> goals;  ///< of local: terms of one sum; else objectives, of weight 1 or -1
+  std::uint64_t seed = 1;   ///< of nsga2 and moead
+  int population = 0;       ///< of nsga2 and moead
+  int generations = 0;      ///< after the first population
+  int points = 0;           ///< of front: rows
+  int evaluations = 0;      ///< of local and front: at most, of each row
+  optimize::Algorithm algorithm = optimize::Algorithm::nlopt_lbfgs;  ///< of local
+};
+
 /// What is stored beyond variables, metrics, status and seconds.
 struct Keep {
   bool nets = false;        ///< points of all nets, as 32-bit numbers
@@ -118,7 +146,8 @@ struct Study {
   std::vector<VariableGroup> variables;
   std::vector<MetricSpec> metrics;
   std::vector<Constraint> constraints;
-  SamplerSpec sampler;
+  SamplerSpec sampler;  ///< with an optimizer: of its starts
+  std::optional<OptimizerSpec> optimizer;
   Checks checks;
   Keep keep;
   int nodes = 8;                   ///< Gauss nodes per direction on each face, for the energies

@@ -66,28 +66,27 @@ void check_keys(const FileTable& table, SamplerKind kind) {
 
 }  // namespace
 
-void read_sampler(const FileTable& root, Study& study) {
-  const auto table = root.find_table("sampler");
-  if (!table) root.fail("sampler", "is missing; it says which variants are measured.");
-  table->allow_only(
+SamplerSpec read_sampler(const FileTable& table) {
+  table.allow_only(
       {"kind", "count", "seed", "levels", "trajectories", "scrambled", "second_order", "file"},
       "a sampler");
-  SamplerSpec& sampler = study.sampler;
-  sampler.kind = kind_of(*table);
-  check_keys(*table, sampler.kind);
+  SamplerSpec sampler;
+  sampler.kind = kind_of(table);
+  check_keys(table, sampler.kind);
   const auto whole = [&](const char* key, std::int64_t least, std::int64_t most,
                          std::int64_t otherwise) {
-    return table->has(key) ? table->whole(key, least, most) : otherwise;
+    return table.has(key) ? table.whole(key, least, most) : otherwise;
   };
   sampler.count = std::uint64_t(whole("count", 1, most_variants, 0));
   sampler.seed = std::uint64_t(whole("seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
   sampler.levels = int(whole("levels", 2, most_levels, 0));
   sampler.trajectories = int(whole("trajectories", 1, most_levels, 0));
-  sampler.scrambled = table->flag_or("scrambled", true);
-  sampler.second_order = table->flag_or("second_order", false);
-  sampler.file = table->text_or("file", "");
+  sampler.scrambled = table.flag_or("scrambled", true);
+  sampler.second_order = table.flag_or("second_order", false);
+  sampler.file = table.text_or("file", "");
   if (sampler.kind == SamplerKind::morris && sampler.levels % 2 != 0)
-    table->fail("levels", "must be even for Morris's steps of half the range.");
+    table.fail("levels", "must be even for Morris's steps of half the range.");
+  return sampler;
 }
 
 }  // namespace bodyline::explore

@@ -5,6 +5,7 @@
 
 #include "io/model_file_lookup.hpp"
 #include "io/model_file_names.hpp"
+#include "io/parse_views.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -77,8 +78,19 @@ MetricKind kind_of(const FileTable& table, const std::string& otherwise) {
   }
 }
 
+std::string views_of(const FileTable& table) {
+  const std::string views = table.text("views");
+  try {
+    io::parse_views(views);
+  } catch (const std::invalid_argument& error) {
+    table.fail("views", error.what());
+  }
+  return views;
+}
+
 MetricSpec read_metric(const std::string& name, const FileTable& table) {
-  table.allow_only({"kind", "stage", "faces", "face", "file", "points", "posed"}, "a metric");
+  table.allow_only({"kind", "stage", "faces", "face", "file", "points", "posed", "views"},
+                   "a metric");
   MetricSpec metric;
   metric.name = name;
   metric.kind = kind_of(table, name);
@@ -97,6 +109,10 @@ MetricSpec read_metric(const std::string& name, const FileTable& table) {
     metric.points = static_cast<int>(table.whole("points", 1, most_scan_points));
   if (belongs("posed", metric.kind == MetricKind::scan, "a scan"))
     metric.posed = table.flag_or("posed", false);
+  if (belongs("views", metric.kind == MetricKind::outline, "an outline"))
+    metric.views = views_of(table);
+  if (metric.kind == MetricKind::outline && metric.views.empty())
+    table.fail("views", "is missing.");
   if (metric.kind == MetricKind::rake && metric.faces.empty()) table.fail("face", "is missing.");
   if (metric.kind == MetricKind::scan && metric.scan.empty()) table.fail("file", "is missing.");
   return metric;

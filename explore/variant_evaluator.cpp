@@ -56,11 +56,28 @@ std::vector<int> moving_parameters(const DesignSpace& space) {
 // The stage that the metrics need; dimensions are those of the closed body.
 model::EvaluatorOptions evaluator_options(const Study& study) {
   model::EvaluatorOptions options;
-  options.terms = metric_terms(study);
+  options.terms = metric_terms(study).together;
   options.stage = model::Stage::body;
   options.nodes = study.nodes;
   return options;
 }
+
+std::vector<model::Evaluator> evaluators_apart(const VariantPlan& plan) {
+  std::vector<model::Evaluator> evaluators;
+  for (const model::Term& term : metric_terms(plan.study).apart) {
+    model::EvaluatorOptions options;
+    options.terms = {term};
+    options.nodes = plan.study.nodes;
+    evaluators.emplace_back(plan.space.context(), plan.space.body_variables(), options);
+  }
+  return evaluators;
+}
+
+// How many terms were taken of those that are measured together, and of those apart.
+struct TermCount {
+  std::size_t together = 0, apart = 0;
+  bool has_variation = false;
+};
 
 }  // namespace
 
@@ -69,12 +86,14 @@ struct VariantEvaluator::State {
 
   VariantOutcome measure(std::span<const double> values, std::span<double> metrics);
   void measure_parts();
-  double metric(std::size_t index, int& term) const;
+  double term(MetricKind kind, TermCount& count) const;
+  double metric(std::size_t index, TermCount& count) const;
   VariantOutcome judge(std::span<const double> metrics) const;
 
   std::shared_ptr<const VariantPlan> plan;
   const model::BodyPlan& body;
   model::Evaluator evaluator;
+  std::vector<model::Evaluator> apart;  // of one term each
   model::Selection selection;
   Eigen::VectorXd x, parameters;
   BodyRules rules;
@@ -99,6 +118,7 @@ VariantEvaluator::State::State(std::shared_ptr<const VariantPlan> of)
       body(plan->space.context()->plan),
       evaluator(plan->space.context(), plan->space.body_variables(),
                 evaluator_options(plan->study)),
+      apart(evaluators_apart(*plan)),
       selection(plan->space.context()->map, plan->space.body_variables()),
       parameters(plan->space.context()->parameters),
       rules(plan->study.models.front().model, body) {
@@ -134,10 +154,17 @@ void VariantEvaluator::State::measure_parts() {
   if (edge_meter) edges = edge_meter->measure(nets);
 }
 
-// `term` counts the terms of the objective among the metrics before this one.
-double VariantEvaluator::State::metric(std::size_t index, int& term) const {
+// The next term of the objective among the metrics.
+double VariantEvaluator::State::term(MetricKind kind, TermCount& count) const {
+  if (kind == MetricKind::variation && count.has_variation)
+    return apart[count.apart++].term_values().front();
+  count.has_variation |= kind == MetricKind::variation;
+  return evaluator.term_values()[count.together++];
+}
+
+double VariantEvaluator::State::metric(std::size_t index, TermCount& count) const {
   const MetricSpec& spec = plan->study.metrics[index];
-  if (is_term(spec.kind)) return evaluator.term_values()[term++];
+  if (is_term(spec.kind)) return term(spec.kind, count);
   switch (spec.kind) {
     case MetricKind::length:
       return reach.length();
@@ -168,6 +195,8 @@ double VariantEvaluator::State::metric(std::size_t index, int& term) const {
       return edges.gap_mm;
     case MetricKind::scan:
       return plan->scans[index]->measure(evaluator.nets());
+    case MetricKind::outline:
+      return plan->outlines[index]->measure(evaluator.nets());
     default:
       return nan;
   }
@@ -197,9 +226,10 @@ VariantOutcome VariantEvaluator::State::measure(std::span<const double> values,
   if (const VariantOutcome broken = rules.check(parameters); broken.status != VariantStatus::valid)
     return broken;
   evaluator.evaluate(x, nullptr);
+  for (model::Evaluator& one : apart) one.evaluate(x, nullptr);
   measure_parts();
-  int term = 0;
-  for (std::size_t k = 0; k < metrics.size(); ++k) metrics[k] = metric(k, term);
+  TermCount count;
+  for (std::size_t k = 0; k < metrics.size(); ++k) metrics[k] = metric(k, count);
   return judge(metrics);
 }
 

@@ -41,11 +41,18 @@ std::vector<std::string> cause_names(const Study& study, const DesignSpace& spac
   return names;
 }
 
-std::vector<model::Term> metric_terms(const Study& study) {
-  std::vector<model::Term> terms;
+model::Term term_of(const MetricSpec& metric) {
+  return {term_kind_of(metric.kind), 1.0, metric.stage, metric.faces};
+}
+
+MetricTerms metric_terms(const Study& study) {
+  MetricTerms terms;
+  bool has_variation = false;
   for (const MetricSpec& metric : study.metrics) {
-    if (is_term(metric.kind))
-      terms.push_back({term_kind_of(metric.kind), 1.0, metric.stage, metric.faces});
+    if (!is_term(metric.kind)) continue;
+    const bool apart = metric.kind == MetricKind::variation && has_variation;
+    (apart ? terms.apart : terms.together).push_back(term_of(metric));
+    has_variation |= metric.kind == MetricKind::variation;
   }
   return terms;
 }
@@ -59,28 +66,25 @@ void check_metrics(const Study& study, const DesignSpace& space) {
     }
     if (!is_term(metric.kind)) continue;
     try {
-      const model::Term term{term_kind_of(metric.kind), 1.0, metric.stage, metric.faces};
-      model::plan_face_work(space.context()->plan, {term}, nodes);
+      model::plan_face_work(space.context()->plan, {term_of(metric)}, nodes);
     } catch (const std::invalid_argument& error) {
       throw StudyError("metrics." + metric.name + ".faces", error.what());
     }
-  }
-  if (std::count_if(study.metrics.begin(), study.metrics.end(), [](const MetricSpec& metric) {
-        return metric.kind == MetricKind::variation;
-      }) > 1) {
-    throw StudyError("metrics", "can hold the variation once");
   }
 }
 
 VariantPlan::VariantPlan(Study of)
     : study(std::move(of)), space(study), causes(cause_names(study, space)) {
   check_metrics(study, space);
+  const model::Model& model = study.models.front().model;
+  const model::BodyPlan& plan = space.context()->plan;
   for (const MetricSpec& metric : study.metrics) {
-    scans.push_back(metric.kind != MetricKind::scan
-                        ? nullptr
-                        : std::make_unique<ScanMeter>(study.folder / metric.scan, metric,
-                                                      study.models.front().model,
-                                                      space.context()->plan));
+    scans.push_back(nullptr);
+    outlines.push_back(nullptr);
+    if (metric.kind == MetricKind::scan)
+      scans.back() = std::make_unique<ScanMeter>(study.folder / metric.scan, metric, model, plan);
+    if (metric.kind == MetricKind::outline)
+      outlines.back() = std::make_unique<OutlineMeter>(study.folder, metric, model, plan);
   }
 }
 

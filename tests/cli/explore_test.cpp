@@ -26,6 +26,13 @@ class Explore : public testing::CommandLine {
            "[metrics]\nbending = {}\nheight = {}\n[checks]\nfolds = false\n[sampler]\n" +
            sampler + "\n" + rest;
   }
+  // The same with an optimizer that makes bending small.
+  static std::string optimizer_study(const std::string& optimizer) {
+    std::string text = study("kind = \"star\"");
+    text.replace(text.find("[sampler]"), std::string("[sampler]\nkind = \"star\"").size(),
+                 "[optimizer]\nminimize = [\"bending\"]\n" + optimizer);
+    return text;
+  }
   void explore() { ASSERT_EQ(bodyline({"explore", "study.toml", "-o", "a.h5"}).exit_code, 0); }
 };
 
@@ -83,6 +90,7 @@ TEST_F(Explore, RefusesInOneSentence) {
   refused({"space", "a.h5", "pareto", "--minimize", "bending"}, "two objectives or more");
   refused({"space", "a.h5", "plot", "height", "bending", "-o", "a.gif"}, "must end in .png");
   refused({"space", "a.h5", "sensitivity"}, "come from \"morris\" or \"saltelli\"");
+  refused({"space", "a.h5", "pareto"}, "two objectives or more");
   refused({"space", "a.h5", "merge", "none.h5", "-o", "b.h5"}, "none.h5: does not exist.");
 }
 
@@ -145,6 +153,56 @@ TEST_F(Explore, TheParetoSetIsNotDominated) {
       EXPECT_FALSE(other["metrics"]["bending"] < one["metrics"]["bending"] &&
                    other["metrics"]["height"] > one["metrics"]["height"]);
     }
+  }
+}
+
+TEST_F(Explore, AFrontIsListedByTheGoalsOfItsStudy) {
+  write("front.toml", optimizer_study("kind = \"front\"\nmaximize = [\"height\"]\npoints = 8"));
+  const Json run = json({"explore", "front.toml", "-o", "f.h5", "--json"});
+  EXPECT_GT(run["evaluations"], 8);
+  EXPECT_EQ(run["done"], run["planned"]);
+  const Json goals = json({"space", "f.h5", "pareto", "--json"});
+  EXPECT_EQ(goals, json({"space", "f.h5", "pareto", "--minimize", "bending", "--maximize", "height",
+                         "--json"}));
+  // The reference is the worst of the front, so that its ends count nothing.
+  EXPECT_GT(goals["hypervolume"], 0.0);
+  double bending = 0.0, height = 1e9;
+  for (const Json& variant : goals["variants"]) {
+    bending = std::max(bending, variant["metrics"]["bending"].get<double>());
+    height = std::min(height, variant["metrics"]["height"].get<double>());
+  }
+  EXPECT_EQ(goals["reference"], Json({bending, height}));
+  const Json further =
+      json({"space", "f.h5", "pareto", "--reference",
+            std::to_string(bending + 1.0) + "," + std::to_string(height - 1.0), "--json"});
+  EXPECT_GT(further["hypervolume"], goals["hypervolume"]);
+  EXPECT_EQ(bodyline({"space", "f.h5", "pareto", "--reference", "1"}).exit_code, 2);
+  const auto plot = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"space", "f.h5", "plot", "height", "bending", "-o", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(bodyline(arguments).exit_code, 0);
+    return text(name);
+  };
+  EXPECT_EQ(plot("f.svg", {}), plot("g.svg", {"--minimize", "bending", "--maximize", "height"}));
+}
+
+TEST_F(Explore, AnOptimizerCanBeCheckedAndResumed) {
+  for (const std::string kind :
+       {"kind = \"nsga2\"\nmaximize = [\"height\"]\npopulation = 8\ngenerations = 3",
+        "kind = \"local\"\nstarts = { kind = \"sobol\", count = 3 }\nevaluations = 9"}) {
+    write("o.toml", optimizer_study(kind));
+    EXPECT_EQ(json({"explore", "o.toml", "--check", "--json"})["tried"].size(), 3u);
+    ASSERT_EQ(bodyline({"explore", "o.toml", "-o", "o.h5", "--overwrite"}).exit_code, 0);
+    const Json again = json({"explore", "o.toml", "-o", "o.h5", "--resume", "--json"});
+    EXPECT_EQ(again["measured"], 0);
+    EXPECT_EQ(again["done"], again["planned"]);
+  }
+}
+
+TEST_F(Explore, TheExamplesAreStudies) {
+  for (const std::string name : {"sweep", "family", "pareto"}) {
+    const std::string path = std::string(BODYLINE_SOURCE_DIR) + "/examples/" + name + ".toml";
+    EXPECT_EQ(json({"explore", path, "--check", "--json"})["study"], name);
   }
 }
 

@@ -12,6 +12,12 @@ TEST(Interrupt, TheFirstRequestIsRemembered) {
   EXPECT_TRUE(interrupt.requested());
 }
 
+TEST(Interrupt, WhatMpirunAndBatchSystemsSendIsARequestToo) {
+  const cli::Interrupt interrupt;
+  std::raise(SIGTERM);
+  EXPECT_TRUE(interrupt.requested());
+}
+
 TEST(Interrupt, TheSecondRequestEndsTheProgram) {
   const auto ask_twice = [] {
     const cli::Interrupt interrupt;

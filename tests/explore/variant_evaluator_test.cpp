@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #include "explore/body_rules.hpp"
@@ -15,6 +16,8 @@
 #include "model/dimension.hpp"
 #include "model/evaluator.hpp"
 #include "model/parameters.hpp"
+#include "model/silhouette.hpp"
+#include "model/silhouette_outline.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/simulate_scan.hpp"
 #include "study_support.hpp"
@@ -230,6 +233,58 @@ TEST(VariantEvaluator, DistanceToAScanIsThatOfTheDeviation) {
     // The scan went through a file of 32-bit numbers.
     EXPECT_NEAR(distance, deviation.distances.trimmed_rms, 1e-3);
   }
+}
+
+TEST(VariantEvaluator, MeasuresMoreThanOneVariation) {
+  const std::string variables = "shape = { vary = [\"shape.hood.*\"], offset = [-0.1, 0.1] }";
+  const std::string all = "all = { kind = \"variation\" }",
+                    hood = "hood = { kind = \"variation\", faces = [\"hood\"], stage = \"kept\" }";
+  const auto metrics_of = [&](const std::string& metrics) {
+    const auto plan = std::make_shared<VariantPlan>(study_of(
+        study_text("model = \"model1.toml\"", variables, metrics, "kind = \"random\"\ncount = 1")));
+    std::vector<double> values(plan->study.metrics.size());
+    VariantEvaluator(plan).measure(variants(plan->study, plan->space, 1).front(), values);
+    return values;
+  };
+  const std::vector<double> both = metrics_of(all + "\nbending = {}\n" + hood);
+  EXPECT_EQ(both[0], metrics_of(all)[0]);
+  EXPECT_EQ(both[2], metrics_of(hood)[0]);
+  EXPECT_NE(both[0], both[2]);
+}
+
+// A silhouette is traced to points about 10 mm apart and drawn by chords of 5 mm.
+constexpr double drawn_exactness = 0.5;
+
+TEST(VariantEvaluator, DistanceToOutlinesIsSmallForTheCarThatWasDrawnAndGrowsAwayFromIt) {
+  const Folder folder;
+  const Study base = small_study(1);
+  std::string views;
+  for (const model::View view : {model::View::side, model::View::front}) {
+    const auto lines = model::silhouette_outline(
+        model::silhouette(model::silhouette_body(base.models.front().model, model::Stage::body),
+                          view),
+        view);
+    const std::string path = (folder / (model::view_name(view) + ".csv")).string();
+    std::ofstream file(path);
+    for (const auto& line : lines) {
+      for (const Eigen::Vector2d& point : line) file << point.x() << "," << point.y() << "\n";
+      file << "\n";
+    }
+    views += (views.empty() ? "" : ",") + model::view_name(view) + "=" + path + "@1";
+  }
+  const auto plan = std::make_shared<VariantPlan>(study_of(study_text(
+      "model = \"model1.toml\"",
+      "roof = { vary = [\"curve.roof__side_window*.z\", \"curve.windshield__roof*.z\"], offset = "
+      "[0, 60], linked = true }",
+      "outline = { views = \"" + views + "\" }", "kind = \"star\"", "[checks]\nfolds = false")));
+  VariantEvaluator evaluator(plan);
+  std::vector<double> distances;
+  for (const double offset : {0.0, 20.0, 60.0}) {
+    evaluator.measure(std::vector<double>{offset}, {&distances.emplace_back(), 1});
+  }
+  EXPECT_LT(distances[0], drawn_exactness);
+  EXPECT_GT(distances[1], 2.0 * distances[0]);
+  EXPECT_GT(distances[2], 2.0 * distances[1]);
 }
 
 TEST(VariantEvaluator, AConstraintMakesVariantsInfeasibleAndIsNamed) {
