@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "explore/optimizer_kind.hpp"
 #include "explore/sampler_kind.hpp"
 
 namespace bodyline::explore {
@@ -84,11 +85,13 @@ std::string browse_description(const StoreReader& store,
   const Study& study = store.study();
   Json statuses = Json::array();
   for (int k = 0; k < status_count; ++k) statuses.push_back(status_name(VariantStatus(k)));
+  const std::string method =
+      study.optimizer ? optimizer_name(study.optimizer->kind) : sampler_name(study.sampler.kind);
   const Json description{{"study", study.name},
                          {"note", study.note},
                          {"store", store.path().filename().string()},
                          {"version", store.header().version},
-                         {"sampler", sampler_name(study.sampler.kind)},
+                         {"method", method},
                          {"stored", store.rows()},
                          {"planned", store.header().planned},
                          {"shown", rows.count()},

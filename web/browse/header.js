@@ -103,7 +103,7 @@ export function header(explorer, bodies) {
       element('span', {
         class: 'soft',
         textContent:
-          `${about.store} · ${counted(about.stored)} variants (${about.sampler}) · ` +
+          `${about.store} · ${counted(about.stored)} variants (${about.method}) · ` +
           `${dataset.variableColumns().length} variables · ${dataset.metricColumns().length} metrics · ${bodiesText(dataset, bodies)}`,
       }),
     ),
