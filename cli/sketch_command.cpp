@@ -119,10 +119,10 @@ void build_model(Context& context, const Request& request) {
   const io::ViewsFile file = io::read_views(request.views);
   const model::Model start =
       sketch::with_degrees(start_of(context, request, file), curve_degrees(request, file));
+  const sketch::SketchOptions options = sketch_options(request, file, start);
   const io::PlacedViews placed =
       io::place_drawings(file.views, {file.length, file.width, file.height, box_of(start)});
   for (const std::string& note : placed.notes) warn(context, note);
-  const sketch::SketchOptions options = sketch_options(request, file, start);
   sketch::SketchResult result;
   {
     const Progress progress(context, "building a body from " + request.views);
