@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 
+#include "cli/browse_command.hpp"
 #include "cli/chain_command.hpp"
 #include "cli/check_command.hpp"
 #include "cli/convert_command.hpp"
@@ -37,6 +38,7 @@ void add_commands(CLI::App& program, Context& context) {
   add_deviation_command(program, context);
   add_explore_command(program, context);
   add_space_command(program, context);
+  add_browse_command(program, context);
   add_variables_command(program, context);
   add_set_command(program, context);
   add_evaluate_command(program, context);

@@ -4,6 +4,7 @@
 
 #include "io/report_assets.hpp"
 #include "io/report_html.hpp"
+#include "web/assets.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -11,7 +12,9 @@ namespace {
 std::string head(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
          "name=\"viewport\" "
-         "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+         "content=\"width=device-width, initial-scale=1\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "
+         "'unsafe-inline'; style-src 'unsafe-inline'; img-src data:\"/>\n<title>" +
          html_escaped(title) + "</title>\n<style>\n" + std::string(report_style_sheet()) +
          "</style>\n</head>\n";
 }
@@ -24,7 +27,7 @@ std::string script(std::string_view text) {
 
 std::string html_page(const std::string& title, const std::string& sections) {
   return head(title) + "<body>\n<main>\n" + sections + "</main>\n" + script(report_script()) +
-         script(report_viewer_script()) + "</body>\n</html>\n";
+         script(web::report_viewer_script()) + "</body>\n</html>\n";
 }
 
 std::string html_tile(const std::string& label, const std::string& value, const std::string& note,

@@ -84,4 +84,10 @@ std::string visible_text(const std::string& page) {
   return text;
 }
 
+std::string without_namespaces(std::string page) {
+  const std::string name = "http://www.w3.org/1999/xhtml";
+  for (std::size_t at; (at = page.find(name)) != std::string::npos;) page.erase(at, name.size());
+  return page;
+}
+
 }  // namespace bodyline::tests

@@ -22,4 +22,7 @@ std::string tag_error(const std::string& page);
 /// titles.
 std::string visible_text(const std::string& page);
 
+/// The page without the name of the namespace of HTML, which looks like an address but is none.
+std::string without_namespaces(std::string page);
+
 }  // namespace bodyline::tests
