@@ -24,7 +24,8 @@ constexpr double first_speed_error = 0.05, common_speed_error = 0.003, largest_s
 // lines tell them, and where they do not.
 constexpr double known_shape_error = 0.2, unknown_shape_error = 0.005;
 
-constexpr double least_noise = 0.05;  // mm
+constexpr double least_noise = 0.05;      // mm
+constexpr double least_end_error = 1e-4;  // of the length of a line
 constexpr int first_weighings = 2, last_weighings = 4;
 constexpr int most_rounds = 40;         // of a search
 constexpr double small_gain = 1e-7;     // of the sum of squares, relative: ends a search
@@ -143,12 +144,24 @@ class LinesSearch {
     std::vector<double> distances;
     for (const LineErrors& line : errors()) distances.push_back(line.normal);
     const double noise = std::max(least_noise, normal_deviation * median(distances));
+    const double carelessness = end_error();
     Weights weights;
     for (const LineState& state : now_.lines)
-      weights.lines.push_back(line_weights(state, now_.picture(*state.line), noise, settled));
+      weights.lines.push_back(
+          line_weights(state, now_.picture(*state.line), noise, carelessness, settled));
     for (std::size_t c = 0; c < now_.curves.size(); ++c)
       weights.speed_tolerances.push_back(settled ? settled_tolerance(c) : first_speed_error);
     return weights;
+  }
+
+  // How far lines end from where their curves do, relative to their length.
+  double end_error() const {
+    std::vector<double> errors;
+    for (const LineState& state : now_.lines) {
+      if (state.holds_first) errors.push_back(std::abs(state.feet.front()));
+      if (state.holds_last) errors.push_back(std::abs(1.0 - state.feet.back()));
+    }
+    return std::max(least_end_error, normal_deviation * median(errors));
   }
 
   // A curve that is not known in space keeps the speed of the template: nothing could tell it from

@@ -30,6 +30,10 @@ class LineRows {
     if (!(speed > end_on * state_.line->length)) return;
     const Vector2d square(-jet.first.y() / speed, jet.first.x() / speed);
     add(state_.feet[k], square, square.dot(jet.point - state_.line->points[k]), weight, 0.0, 0.0);
+    if (has_foot(state_, k)) return;
+    // A curve that runs off the end of its line, or on behind it, must not gain by that.
+    const Vector2d tangent = jet.first / speed;
+    add(state_.feet[k], tangent, tangent.dot(jet.point - state_.line->points[k]), weight, 0.0, 0.0);
   }
 
   void along(std::size_t k, double weight) {
@@ -40,6 +44,15 @@ class LineRows {
     const Vector2d tangent = jet.first / speed;
     add(t, tangent, tangent.dot(jet.point - state_.line->points[k]), weight, speed,
         speed * state_.drawn[k]);
+  }
+
+  // The end of the curve, 0 or 1, beside the end of the line.
+  void end(std::size_t k, double t, double weight) {
+    const CurveJet<2> jet = curve_jet<2>(picture_, t);
+    const double speed = jet.first.norm();
+    if (!(speed > end_on * state_.line->length)) return;
+    const Vector2d tangent = jet.first / speed;
+    add(t, tangent, tangent.dot(jet.point - state_.line->points[k]), weight, 0.0, 0.0);
   }
 
   void add_to(NormalEquations& equations) const { rows_.add_to(equations); }
@@ -61,13 +74,14 @@ class LineRows {
 }  // namespace
 
 LineWeights line_weights(const LineState& state, std::span<const Vector2d> picture, double noise,
-                         bool settled) {
+                         double carelessness, bool settled) {
   const LineErrors errors = line_errors(state, picture);
   const double deviation = settled ? std::max(noise, normal_deviation * errors.tangent) : noise;
   LineWeights weights{std::vector<double>(state.feet.size(), 0.0), {}};
   weights.along = weights.across;
+  weights.ends = 1.0 / std::max(noise, carelessness * state.line->length);
   for (std::size_t k = 0; k < state.feet.size(); ++k) {
-    if (!has_foot(state, k)) continue;
+    if (!has_foot(state, k) && !is_held(state, k)) continue;
     weights.across[k] = 1.0 / noise;
     if (!state.follows) continue;
     weights.along[k] = 1.0 / deviation;
@@ -85,6 +99,8 @@ void add_line_rows(const LineState& state, std::span<const Vector2d> picture,
     if (weights.across[k] > 0.0) rows.across(k, weights.across[k]);
     if (weights.along[k] > 0.0) rows.along(k, weights.along[k]);
   }
+  if (state.holds_first) rows.end(0, 0.0, weights.ends);
+  if (state.holds_last) rows.end(state.feet.size() - 1, 1.0, weights.ends);
   rows.add_to(equations);
 }
 

@@ -20,7 +20,7 @@ void find_feet(LineState& state, std::span<const Vector2d> picture, double hint_
   state.feet.resize(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double hint = double(k) / double(points.size() - 1);
-    state.feet[k] = nearest_parameter(picture, points[k], hint, hint_length, state.range);
+    state.feet[k] = nearest_parameter(picture, points[k], hint, hint_length, foot_range(state, k));
   }
 }
 
@@ -48,6 +48,8 @@ LineState begin_line(SketchLine& line, std::span<const Vector2d> picture, bool c
   find_feet(state, picture, 0.0);
   if (runs_backwards(state.feet)) line.reverse();
   find_feet(state, picture);
+  state.holds_first = !state.doubled && state.feet.front() < near_ends;
+  state.holds_last = !state.doubled && state.feet.back() > 1.0 - near_ends;
   return state;
 }
 
@@ -57,7 +59,8 @@ void find_feet(LineState& state, std::span<const Vector2d> picture) {
 
 void update_feet(LineState& state, std::span<const Vector2d> picture) {
   for (std::size_t k = 0; k < state.feet.size(); ++k)
-    state.feet[k] = foot_parameter(picture, state.line->points[k], state.feet[k], state.range);
+    state.feet[k] =
+        foot_parameter(picture, state.line->points[k], state.feet[k], foot_range(state, k));
 }
 
 void match_drawn(LineState& state) {

@@ -15,6 +15,8 @@ struct LineState {
   const SketchLine* line = nullptr;
   bool doubled = false;             ///< the curve runs there and back in its picture
   ParameterRange range;             ///< in which its feet are sought
+  bool holds_first = false;         ///< its first point belongs to the beginning of the curve,
+  bool holds_last = false;          ///< its last one to the end
   std::vector<double> feet;         ///< parameter of the nearest point of the curve, for each point
   bool follows = false;             ///< the curve is to run along the line as it was drawn:
   std::vector<double> drawn;        ///< its parameter at a point of the line is
@@ -27,9 +29,26 @@ std::vector<Eigen::Vector2d> projected(model::View view, std::span<const Eigen::
 /// Feet may lie so far beyond the ends of a curve, since lines are drawn too far.
 inline constexpr double beyond_ends = 0.06;
 
+/// The ends of a line that begin so near to the ends of the curve stay so near.
+inline constexpr double near_ends = 0.1;
+
+/// Whether a point is the end of a line that belongs to an end of the curve.
+inline bool is_held(const LineState& state, std::size_t k) {
+  return (k == 0 && state.holds_first) || (k + 1 == state.feet.size() && state.holds_last);
+}
+
+/// Where the foot of a point is sought.
+inline ParameterRange foot_range(const LineState& state, std::size_t k) {
+  ParameterRange range = state.range;
+  if (k == 0 && state.holds_first) range.high = near_ends;
+  if (k + 1 == state.feet.size() && state.holds_last) range.low = 1.0 - near_ends;
+  return range;
+}
+
 /// Whether a foot is not at an end of its range, where nothing lies opposite to the point.
 inline bool has_foot(const LineState& state, std::size_t k) {
-  return state.feet[k] > state.range.low && state.feet[k] < state.range.high;
+  const ParameterRange range = foot_range(state, k);
+  return state.feet[k] > range.low && state.feet[k] < range.high;
 }
 
 /// Begins with a line: finds its feet from scratch, and turns it into the direction of the curve,

@@ -24,9 +24,11 @@ void for_speeds(Points points, const CurveTemplate& like, const Work& work) {
   for (int k = 0; k < places; ++k) {
     const double t = (k + 0.5) / places;
     const Vector3d velocity = curve_jet<3>(points, t).first;
-    const double speed = velocity.norm();
-    if (!(speed > 0.0)) continue;
-    const double wanted = curve_jet<3>(like.shape, t).first.norm() / shape_length;
+    const Vector3d like_velocity = curve_jet<3>(like.shape, t).first;
+    // A curve that runs back has a speed below 0.
+    const double speed = std::copysign(velocity.norm(), velocity.dot(like_velocity));
+    if (speed == 0.0) continue;
+    const double wanted = like_velocity.norm() / shape_length;
     work(t, velocity / speed, speed / like.length - wanted);
   }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "model/check_body.hpp"
 #include "model/check_findings.hpp"
 #include "model/connect.hpp"
+#include "sketch/curve_jet.hpp"
 #include "sketch/gather_strokes.hpp"
 #include "sketch/template_drawing.hpp"
 #include "tests/sketch/drawn_curves.hpp"
@@ -118,6 +120,59 @@ TEST(SketchedModel, MeetsItsLinesEvenWhereTheyDoNotTellHowFastTheyRun) {
   for (const CurveReport& curve : result.curves) {
     EXPECT_TRUE(curve.contradictions.empty()) << curve.curve;
     for (const auto& view : curve.views) EXPECT_LT(view.rms, 1.0) << curve.curve;
+  }
+}
+
+// The largest distance of points of one curve from another, drawn on a little behind its ends.
+double largest_distance(const model::Curve& from, const model::Curve& to) {
+  constexpr int count = 400;
+  std::vector<Eigen::Vector3d> line;
+  for (int k = 0; k <= count; ++k)
+    line.push_back(sketch::curve_jet<3>(to.points, -0.05 + 1.1 * k / count).point);
+  double largest = 0.0;
+  for (int k = 0; k <= 50; ++k) {
+    const Eigen::Vector3d point = sketch::curve_jet<3>(from.points, k / 50.0).point;
+    double least = INFINITY;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Eigen::Vector3d way = line[i + 1] - line[i];
+      const double part = std::clamp((point - line[i]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (line[i] + part * way - point).norm());
+    }
+    largest = std::max(largest, least);
+  }
+  return largest;
+}
+
+TEST(SketchedModel, HasTheShapeOfItsLinesWithoutTheirSpeed) {
+  const model::Model truth = car("model1");
+  for (const double noise : {0.0, 0.5}) {
+    for (const double ends : {0.0, 0.02}) {
+      DrawOptions options;
+      options.hand = Hand::even_lengths;
+      options.points = 200;
+      options.noise = noise;
+      options.ends = ends;
+      const auto result =
+          sketch::sketch_model(car("template"), testing::drawn_curves(truth, options));
+      // Twice the noise, 1 mm, is met by the worst of 35 curves; ends are extrapolated from lines
+      // that are cut.
+      for (std::size_t c = 0; c < truth.curves.size(); ++c)
+        EXPECT_LT(largest_distance(result.model.curves[c], truth.curves[c]), 1.0)
+            << truth.curves[c].name << ", noise " << noise << ", ends " << ends;
+    }
+  }
+}
+
+TEST(SketchedModel, KeepsToTheEndsOfLinesThatEndExactly) {
+  const model::Model truth = car("model1");
+  for (const double noise : {0.0, 0.01, 0.5}) {
+    DrawOptions options;
+    options.points = 200;
+    options.noise = noise;
+    options.ends = 0.0;
+    const auto result =
+        sketch::sketch_model(car("template"), testing::drawn_curves(truth, options));
+    EXPECT_LT(most_moved(result.model, truth), 3.0) << noise;
   }
 }
 
