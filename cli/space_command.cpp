@@ -38,6 +38,8 @@ void add_space_command(CLI::App& program, Context& context) {
                                       "bodyline space sweep.h5 list --sort bending");
   space->add_option("STORE", *store, "Store of variants (.h5)")->required()->type_name("");
   space->require_subcommand(1);
+  // Its own: the other commands share one.
+  space->formatter(std::make_shared<CLI::Formatter>());
   space->get_formatter()->label("SUBCOMMAND", "VIEW");
   add_space_list(*space, context, store);
   add_space_show(*space, context, store);

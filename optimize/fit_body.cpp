@@ -10,6 +10,9 @@
 namespace bodyline::optimize {
 namespace {
 
+// What is closest with whole patches need not be with the closed body.
+constexpr std::size_t finalists = 2;
+
 // The first start tells its progress for all.
 std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
                                   const model::Model& start, const FitOptions& options,
@@ -25,6 +28,23 @@ std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
   return all;
 }
 
+// Takes the closest to the end and returns the best of them, with the fewest folds.
+FitRounds& refined(std::vector<FitRounds>& all) {
+  const std::size_t count = std::min(finalists, all.size());
+  const auto closer = [](const FitRounds& a, const FitRounds& b) { return a.closer_than(b); };
+  std::stable_sort(all.begin(), all.end(), closer);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].tell(k == 0);
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
+    tbb::this_task_arena::isolate([&] { all[k].refine(); });
+  });
+  return *std::min_element(all.begin(), all.begin() + std::ptrdiff_t(count),
+                           [&](const FitRounds& a, const FitRounds& b) {
+                             const std::size_t folds_a = a.folded_faces().size();
+                             const std::size_t folds_b = b.folded_faces().size();
+                             return folds_a != folds_b ? folds_a < folds_b : closer(a, b);
+                           });
+}
+
 }  // namespace
 
 FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Model& start,
@@ -32,11 +52,7 @@ FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Mode
   check_fit_options(options);
   const auto begin = FitRounds::Clock::now();
   std::vector<FitRounds> all = approaches(targets, start, options, begin);
-  FitRounds& best =
-      *std::min_element(all.begin(), all.end(),
-                        [](const FitRounds& a, const FitRounds& b) { return a.closer_than(b); });
-  best.tell(true);
-  best.refine();
+  FitRounds& best = refined(all);
   FitResult result{best.status(), best.model(), best.history(), best.folded_faces(), 0.0};
   // Stopped between two rounds, none of them knows of it.
   if (best.stopped()) result.status = Status::interrupted;
