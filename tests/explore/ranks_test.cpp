@@ -166,6 +166,60 @@ TEST(Ranks, OneThatCannotGoOnEndsTheRunWithItsSentenceAndWhatIsMeasuredStays) {
   EXPECT_TRUE(same_rows(one, all_rows(path)));
 }
 
+// Cannot reach the others once so many variants are handed out.
+class BreakingRanks : public ThreadRanks {
+ public:
+  BreakingRanks(Post& post, std::uint64_t reach) : ThreadRanks(post, 0), reach_(reach) {}
+  void send(int to, Bytes bytes) override {
+    if (explore::word_of(bytes) == explore::RankWord::measure &&
+        explore::read_note(bytes).first >= reach_)
+      throw std::runtime_error("the line is dead");
+    ThreadRanks::send(to, std::move(bytes));
+  }
+
+ private:
+  std::uint64_t reach_;
+};
+
+TEST(Ranks, ALineThatBreaksLeavesWhatIsMeasured) {
+  // Of 64 variants a task, two ranks have at most 32 tasks that are not put together.
+  constexpr std::uint64_t many = 20000, reach = 6400, sure = reach - 32 * 64;
+  const Folder folder;
+  Post post(2);
+  const std::jthread other([&] {
+    ThreadRanks there(post, 1);
+    serve(there);
+  });
+  BreakingRanks here(post, reach);
+  explore::RankOwner owner(here);
+  const explore::Study study = small_study(many, "[keep]\nblock = 128");
+  const auto plan = std::make_shared<explore::VariantPlan>(study);
+  const auto source = explore::make_source(plan->study, plan->space);
+  explore::StoreWriter store =
+      explore::StoreWriter::create(folder / "a.h5", study, plan->space, many, false);
+  try {
+    owner.run(plan, *source, store, one_thread());
+    FAIL() << "nothing was said";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the line is dead"));
+  }
+  EXPECT_GE(explore::StoreReader(folder / "a.h5").rows(), sure);
+}
+
+TEST(Ranks, ThatWereReleasedAreNotTroubledAgain) {
+  Post post(2);
+  std::jthread other([&] {
+    ThreadRanks there(post, 1);
+    serve(there);
+  });
+  ThreadRanks here(post, 0);
+  explore::RankOwner owner(here);
+  owner.release();
+  other.join();  // it left before the owner did
+  owner.release();
+  EXPECT_FALSE(here.abandoned);
+}
+
 TEST(Ranks, NobodyWaitsWhenRankZeroHasNothingToDo) {
   Post post(3);
   std::vector<std::jthread> others;
