@@ -7,6 +7,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
@@ -242,6 +243,26 @@ TEST(Ranks, AStudyArrivesAsItWasSent) {
   for (std::size_t k = 0; k < study.inputs.size(); ++k) {
     EXPECT_EQ(there.inputs[k].name, study.inputs[k].name);
     EXPECT_EQ(there.inputs[k].text, study.inputs[k].text);
+  }
+}
+
+TEST(Ranks, WithAnotherScanAreRefused) {
+  const Folder folder;
+  std::filesystem::copy_file(std::filesystem::path(BODYLINE_SOURCE_DIR) / "cars/model1.toml",
+                             folder / "model1.toml");
+  std::ofstream(folder / "a.xyz") << "1 2 3\n";
+  std::ofstream(folder / "study.toml") << study_text(
+      "model = \"model1.toml\"", "fullness = { vary = [\"fullness.hood*\"], range = [1.0, 2.0] }",
+      "scan = { file = \"a.xyz\" }", "kind = \"random\"\ncount = 4");
+  const explore::Study study = explore::read_study(folder / "study.toml");
+  const Bytes message = explore::study_message(study);
+  EXPECT_EQ(explore::read_study_message(message).files, study.files);
+  std::ofstream(folder / "a.xyz") << "1 2 4\n";
+  try {
+    explore::read_study_message(message);
+    FAIL() << "nothing was said";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("\"a.xyz\" is not the same on another rank"));
   }
 }
 
