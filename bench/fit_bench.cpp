@@ -12,9 +12,9 @@
 #include "io/read_model.hpp"
 #include "model/evaluator.hpp"
 #include "model/net_surface.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/rim_pulls.hpp"
 #include "optimize/scan_follow.hpp"
-#include "optimize/scan_term.hpp"
 #include "optimize/simulate_scan.hpp"
 
 namespace bodyline::bench {
@@ -38,7 +38,7 @@ struct ScannedCar {
   model::Scan scan;
   std::vector<optimize::Match> matches;
   optimize::ScanFollower follower;
-  optimize::ScanTerm term;
+  optimize::PullTerm term;
 };
 
 model::Scan scan_of(const model::Model& car) {

@@ -6,8 +6,7 @@
 
 #include "cli/command.hpp"
 #include "model/model.hpp"
-#include "optimize/dimension_target.hpp"
-#include "optimize/hard_point_target.hpp"
+#include "optimize/measure_bounds.hpp"
 
 namespace bodyline::cli {
 
@@ -24,24 +23,16 @@ void add_bounds_options(CLI::App& command, BoundsRequest& request);
 optimize::DimensionBound dimension_bound_from_text(const std::string& text);
 
 /// The same, read and checked. Throws io::InputError and std::invalid_argument.
-struct Bounds {
-  std::vector<optimize::DimensionBound> dimensions;
-  std::vector<optimize::HardPoint> points;
-};
-Bounds read_bounds(const BoundsRequest& request, const model::Model& model);
+optimize::Bounds read_bounds(const BoundsRequest& request, const model::Model& model);
 
-/// What a finished body makes of them.
-struct BoundsKept {
-  std::vector<double> dimensions;  ///< mm or degrees
-  std::vector<double> distances;   ///< of the hard points, mm, outside positive
-};
-BoundsKept measure_bounds(const Bounds& bounds, const model::Model& model);
-
-/// {"NAME": {"value", "lower", "upper"}}, and [{"point", "rule", "margin_mm", "distance_mm"}].
-nlohmann::ordered_json dimensions_json(const Bounds& bounds, const BoundsKept& kept);
-nlohmann::ordered_json hard_points_json(const Bounds& bounds, const BoundsKept& kept);
+/// {"NAME": {"value", "lower", "upper", "kept"}}, and [{"point", "rule", "margin_mm",
+/// "distance_mm", "kept"}].
+nlohmann::ordered_json dimensions_json(const optimize::Bounds& bounds,
+                                       const optimize::BoundsKept& kept);
+nlohmann::ordered_json hard_points_json(const optimize::Bounds& bounds,
+                                        const optimize::BoundsKept& kept);
 
 /// The same in lines of text; empty when there are none.
-std::string bounds_text(const Bounds& bounds, const BoundsKept& kept);
+std::string bounds_text(const optimize::Bounds& bounds, const optimize::BoundsKept& kept);
 
 }  // namespace bodyline::cli

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/evaluator.hpp"
+#include "optimize/quantile.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -37,13 +38,6 @@ std::vector<Values> cells_of(const model::Face& face,
   return values;
 }
 
-double median(Values& values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void fill_gaps(io::FaceField& field) {
   const io::FaceField seen = field;
   for (int i = 0; i < field.cells; ++i) {
@@ -70,7 +64,8 @@ io::FaceField face_field(const model::Face& face,
   field.name = face.name;
   field.cells = std::clamp(int(std::sqrt(count / points_per_cell)), fewest_cells, most_cells);
   for (Values& values : cells_of(face, matches, field.cells))
-    field.values.push_back(median(values));
+    field.values.push_back(values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                          : optimize::median(std::move(values)));
   fill_gaps(field);
   return field;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/scan_target.hpp"
 #include "model/drawing.hpp"
-#include "optimize/feature_target.hpp"
-#include "optimize/outline_deviation.hpp"
+#include "optimize/feature_line.hpp"
 
 namespace bodyline::cli {
 
@@ -37,21 +35,8 @@ struct DrawnTarget {
 /// Reads and places them: with a scan where a body lies that is fitted to it in haste, else where
 /// `start` lies. Lines in space are in the coordinates of the scan, else of the model. Throws
 /// io::InputError and std::invalid_argument.
-DrawnTarget place_drawn(Context& context, const DrawnRequest& request, const Bounds& bounds,
-                        const model::Model& start, const std::optional<PlacedScan>& scan);
-
-/// How well a model meets them.
-struct DrawnKept {
-  std::vector<optimize::OutlineDeviation> outlines;
-  std::vector<optimize::FeatureDeviation> features;
-};
-DrawnKept measure_drawn(const DrawnTarget& target, const model::Model& model);
-
-/// {"VIEW": {"median", "p90"}} and {"CURVE": {"median", "p90"}}.
-nlohmann::ordered_json outlines_json(const DrawnKept& kept);
-nlohmann::ordered_json features_json(const DrawnKept& kept);
-
-/// The same in lines of text; empty when there are none.
-std::string drawn_text(const DrawnKept& kept);
+DrawnTarget place_drawn(Context& context, const DrawnRequest& request,
+                        const optimize::Bounds& bounds, const model::Model& start,
+                        const std::optional<PlacedScan>& scan);
 
 }  // namespace bodyline::cli

@@ -22,16 +22,11 @@
 #include "io/read_model.hpp"
 #include "io/write_model.hpp"
 #include "optimize/deviation.hpp"
-#include "optimize/fit_scan.hpp"
-#include "optimize/outline_fit_target.hpp"
-#include "optimize/scan_fit_target.hpp"
-#include "optimize/strain_target.hpp"
+#include "optimize/fit_body.hpp"
+#include "optimize/fit_car.hpp"
 
 namespace bodyline::cli {
 namespace {
-
-// Weights of outlines beside a scan, and of the strain without and with one.
-constexpr double beside_scan = 0.3, held_shape = 100.0, held_with_scan = 1.0;
 
 struct Request {
   std::string start;
@@ -59,27 +54,13 @@ void check_request(Request& request) {
   check_report(request.report, request.output.overwrite, request.input());
 }
 
-std::vector<optimize::FitTargetMaker> targets_of(const FittedCar& car, const model::Model& start,
-                                                 const optimize::FitOptions& options) {
-  std::vector<optimize::FitTargetMaker> targets;
-  if (car.scan) {
-    targets.push_back(optimize::scan_fit_target(car.scan->scan, car.scan->pose,
-                                                options.coarse_points, options.fine_points));
-  }
-  if (!car.drawn.outlines.empty())
-    targets.push_back(
-        optimize::outline_fit_target(car.drawn.outlines, car.scan ? beside_scan : 1.0));
-  if (!car.drawn.features.empty())
-    targets.push_back(optimize::feature_target(start, car.drawn.features));
-  if (!car.scan || !car.drawn.outlines.empty())
-    targets.push_back(optimize::strain_target(car.scan ? held_with_scan : held_shape));
-  if (!car.bounds.dimensions.empty())
-    targets.push_back(optimize::dimension_target(start, car.bounds.dimensions));
-  if (!car.bounds.points.empty()) targets.push_back(optimize::hard_point_target(car.bounds.points));
-  return targets;
+optimize::FitCar car_of(const FittedCar& given) {
+  optimize::FitCar car{{}, given.drawn.outlines, given.drawn.features, given.bounds};
+  if (given.scan) car.scan = {given.scan->scan, given.scan->pose};
+  return car;
 }
 
-optimize::FitResult fit(Context& context, const FittedCar& car, const model::Model& start,
+optimize::FitResult fit(Context& context, const optimize::FitCar& car, const model::Model& start,
                         optimize::FitOptions options) {
   const Interrupt interrupt;
   Progress progress(context, "fitting");
@@ -88,7 +69,8 @@ optimize::FitResult fit(Context& context, const FittedCar& car, const model::Mod
     progress.update(-1.0, fmt::format("{} {} of {}, median distance {:.2f} mm", step.phase,
                                       step.round, step.rounds, step.distance));
   };
-  return optimize::fit_body(targets_of(car, start, options), start, options);
+  options.starts = optimize::fit_starts(car);
+  return optimize::fit_body(optimize::fit_targets(car, start), start, options);
 }
 
 void print_result(Context& context, const Request& request, const FittedCar& car) {
@@ -96,7 +78,9 @@ void print_result(Context& context, const Request& request, const FittedCar& car
     print_json(context, fit_json(car));
     return;
   }
-  *context.out << fit_text(car) << "fitted model: " << request.output.path << "\n";
+  const bool failed = car.result.status == optimize::Status::failed;
+  *context.out << fit_text(car) << (failed ? "model as far as it came: " : "fitted model: ")
+               << request.output.path << "\n";
   if (request.report.wanted()) *context.out << "report: " << request.report.output.path << "\n";
 }
 
@@ -111,9 +95,7 @@ void run(Context& context, Request& request) {
   car.bounds = read_bounds(request.bounds, start);
   if (!request.scan.path.empty()) car.scan = place_scan(context, request.scan, start);
   car.drawn = place_drawn(context, request.drawn, car.bounds, start, car.scan);
-  // Outlines say nothing of where curves lie on the surface: the start decides that, not the fit.
-  if (!car.scan) request.options.starts = {optimize::FitStart{}};
-  car.result = fit(context, car, car.drawn.start, request.options);
+  car.result = fit(context, car_of(car), car.drawn.start, request.options);
   car.result.model.name = std::filesystem::path(request.output.path).stem().string();
   io::write_model(car.result.model, request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
@@ -124,13 +106,14 @@ void run(Context& context, Request& request) {
         optimize::measure_deviation(car.result.model, car.scan->scan, car.scan->pose, measuring);
   }
   car.kept = measure_drawn(car.drawn, car.result.model);
+  car.bounds_kept = optimize::measure_bounds(car.result.model, car.bounds);
   car.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (request.report.wanted()) {
     io::FitReport report = fit_report(car, start, request.report);
     write_report(context, report, request.report);
   }
   print_result(context, request, car);
-  if (!car.result.folded_faces.empty()) context.exit_code = exit_findings;
+  if (has_findings(car)) context.exit_code = exit_findings;
 }
 
 void add_weights(CLI::App& command, optimize::FitOptions& options) {

@@ -4,7 +4,8 @@
 
 namespace bodyline::cli {
 
-/// `bodyline fit SCAN -o OUT.toml`: fits the body template to a scan of a car.
+/// `bodyline fit [SCAN] -o OUT.toml`: fits the body template, or a model, to a scan, outlines and
+/// lines of a car.
 void add_fit_command(CLI::App& program, Context& context);
 
 }  // namespace bodyline::cli

@@ -9,7 +9,6 @@
 #include "io/fit_report.hpp"
 #include "model/model.hpp"
 #include "optimize/deviation.hpp"
-#include "optimize/fit_scan.hpp"
 
 namespace bodyline::cli {
 

@@ -20,8 +20,12 @@ nlohmann::ordered_json rounds_json(const optimize::FitResult& result) {
 
 }  // namespace
 
+bool has_findings(const FittedCar& car) {
+  return car.result.status == optimize::Status::failed || !car.bounds_kept.all() ||
+         !car.result.folded_faces.empty();
+}
+
 nlohmann::ordered_json fit_json(const FittedCar& car) {
-  const BoundsKept kept = measure_bounds(car.bounds, car.result.model);
   nlohmann::ordered_json json{{"status", optimize::status_words(car.result.status)}};
   if (car.deviation) {
     json["scan"] = car.scan->words;
@@ -33,8 +37,8 @@ nlohmann::ordered_json fit_json(const FittedCar& car) {
   json["outline_mm"] = outlines_json(car.kept);
   json["feature_mm"] = features_json(car.kept);
   json["folded"] = car.result.folded_faces;
-  json["dimensions"] = dimensions_json(car.bounds, kept);
-  json["hard_points"] = hard_points_json(car.bounds, kept);
+  json["dimensions"] = dimensions_json(car.bounds, car.bounds_kept);
+  json["hard_points"] = hard_points_json(car.bounds, car.bounds_kept);
   if (car.deviation) json["faces"] = faces_json(*car.deviation);
   json["rounds"] = rounds_json(car.result);
   json["seconds"] = car.seconds;
@@ -54,7 +58,7 @@ std::string fit_text(const FittedCar& car) {
     }
   }
   text += drawn_text(car.kept);
-  text += bounds_text(car.bounds, measure_bounds(car.bounds, car.result.model));
+  text += bounds_text(car.bounds, car.bounds_kept);
   for (const std::string& face : car.result.folded_faces) text += "still folded: " + face + "\n";
   return text + fmt::format("{:.1f} s\n", car.seconds);
 }

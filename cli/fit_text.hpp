@@ -5,10 +5,10 @@
 #include <string>
 
 #include "cli/bounds_options.hpp"
-#include "cli/drawn_target.hpp"
+#include "cli/drawn_text.hpp"
 #include "cli/scan_target.hpp"
 #include "optimize/deviation.hpp"
-#include "optimize/fit_scan.hpp"
+#include "optimize/fit_body.hpp"
 
 namespace bodyline::cli {
 
@@ -16,12 +16,16 @@ namespace bodyline::cli {
 struct FittedCar {
   std::optional<PlacedScan> scan;
   DrawnTarget drawn;
-  Bounds bounds;
+  optimize::Bounds bounds;
   optimize::FitResult result;
   std::optional<optimize::Deviation> deviation;  ///< from the scan
   DrawnKept kept;
+  optimize::BoundsKept bounds_kept;
   double seconds = 0.0;  ///< from the files to the model
 };
+
+/// Whether something is not as it should be: the fit failed, a bound is not kept, a face folds.
+bool has_findings(const FittedCar& car);
 
 /// The document that `fit --json` prints (docs/fitting.md).
 nlohmann::ordered_json fit_json(const FittedCar& car);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "cli/number_check.hpp"
 #include "cli/pose_option.hpp"
 #include "cli/progress.hpp"
+#include "io/input_error.hpp"
 #include "optimize/orient_normals.hpp"
 
 namespace bodyline::cli {
@@ -57,10 +59,15 @@ PlacedScan place_scan(Context& context, const ScanTarget& target, const model::M
     options.pose = pose_from_text(target.pose);
   }
   const Progress progress(context, "finding the pose");
-  const optimize::AlignResult aligned = optimize::align_scan(file.scan, model, options);
-  placed.words += "\n" + aligned.words;
-  placed.pose = aligned.pose;
-  placed.scan = optimize::oriented_scan(file.scan, aligned.pose, model, target.most_points);
+  try {
+    const optimize::AlignResult aligned = optimize::align_scan(file.scan, model, options);
+    placed.words += "\n" + aligned.words;
+    placed.pose = aligned.pose;
+    placed.scan = optimize::oriented_scan(file.scan, aligned.pose, model, target.most_points);
+  } catch (const std::invalid_argument& error) {
+    throw io::InputError(target.path, 0, "",
+                         error.what() + std::string("; --unit and --pose say how it lies."));
+  }
   return placed;
 }
 

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
+#include "cli/curve_values.hpp"
 #include "cli/load_model.hpp"
-#include "cli/number_check.hpp"
 #include "cli/output.hpp"
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
@@ -17,6 +18,7 @@
 #include "io/write_model.hpp"
 #include "io/write_svg_drawing.hpp"
 #include "model/suggest.hpp"
+#include "sketch/curve_degrees.hpp"
 #include "sketch/template_drawing.hpp"
 
 namespace bodyline::cli {
@@ -25,7 +27,7 @@ namespace {
 struct Request {
   std::string views, start, template_model;
   Output output;
-  double tolerance = 0.0;  // 0: as the file says, or the default
+  std::vector<std::string> tolerances, degrees;  // see curve_values
   bool json = false;
 };
 
@@ -59,6 +61,12 @@ model::Model start_of(Context& context, const Request& request, const io::ViewsF
   return io::read_model_text(template_text(), "the template");
 }
 
+std::vector<std::string> curve_names(const model::Model& model) {
+  std::vector<std::string> names;
+  for (const model::Curve& curve : model.curves) names.push_back(curve.name);
+  return names;
+}
+
 Eigen::AlignedBox3d box_of(const model::Model& model) {
   Eigen::AlignedBox3d box;
   for (const model::Curve& curve : model.curves)
@@ -66,13 +74,40 @@ Eigen::AlignedBox3d box_of(const model::Model& model) {
   return box;
 }
 
+// What the command line says counts before what the file says.
+sketch::CurveDegrees curve_degrees(const Request& request, const io::ViewsFile& file) {
+  const CurveValues given = curve_values(request.degrees, "--degree", {2, 9, true});
+  sketch::CurveDegrees degrees{file.degree, {}};
+  for (const auto& [name, curve] : file.curves)
+    if (curve.degree) degrees.by_name[name] = *curve.degree;
+  if (given.all) degrees = {int(*given.all), {}};
+  for (const auto& [name, degree] : given.by_name) degrees.by_name[name] = int(degree);
+  return degrees;
+}
+
+sketch::SketchOptions sketch_options(const Request& request, const io::ViewsFile& file,
+                                     const model::Model& start) {
+  const CurveValues given = curve_values(request.tolerances, "--tolerance", {0.001, 1e6, false});
+  sketch::SketchOptions options;
+  if (file.tolerance) options.tolerance = *file.tolerance;
+  for (const auto& [name, curve] : file.curves)
+    if (curve.tolerance) options.tolerances[name] = *curve.tolerance;
+  if (given.all) options.tolerance = *given.all, options.tolerances.clear();
+  for (const auto& [name, tolerance] : given.by_name) options.tolerances[name] = tolerance;
+  const std::vector<std::string> names = curve_names(start);
+  for (const auto& [name, tolerance] : options.tolerances)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw std::invalid_argument(fmt::format("no curve is named '{}'; the nearest name is '{}'",
+                                              name, model::nearest_name(name, names)));
+  return options;
+}
+
 void warn(Context& context, const std::string& sentence) {
   if (!context.quiet) *context.err << "bodyline: warning: " << sentence << "\n";
 }
 
 void warn_of_names(Context& context, const sketch::SketchResult& result) {
-  std::vector<std::string> names;
-  for (const model::Curve& curve : result.model.curves) names.push_back(curve.name);
+  const std::vector<std::string> names = curve_names(result.model);
   for (const std::string& unknown : result.unknown)
     warn(context,
          fmt::format("the path '{}' is left out: no curve has its name; the nearest is '{}'",
@@ -82,13 +117,12 @@ void warn_of_names(Context& context, const sketch::SketchResult& result) {
 void build_model(Context& context, const Request& request) {
   check_output(request.output, request.views, {".toml"});
   const io::ViewsFile file = io::read_views(request.views);
-  const model::Model start = start_of(context, request, file);
+  const model::Model start =
+      sketch::with_degrees(start_of(context, request, file), curve_degrees(request, file));
+  const sketch::SketchOptions options = sketch_options(request, file, start);
   const io::PlacedViews placed =
       io::place_drawings(file.views, {file.length, file.width, file.height, box_of(start)});
   for (const std::string& note : placed.notes) warn(context, note);
-  sketch::SketchOptions options;
-  options.tolerance =
-      request.tolerance > 0.0 ? request.tolerance : file.tolerance.value_or(options.tolerance);
   sketch::SketchResult result;
   {
     const Progress progress(context, "building a body from " + request.views);
@@ -135,10 +169,17 @@ void add_sketch_command(CLI::App& program, Context& context) {
       ->type_name("MODEL");
   add_output(*command, request->output, "Model to write, .toml; with --template the drawing, .svg");
   command
-      ->add_option("--tolerance", request->tolerance,
+      ->add_option("--tolerance", request->tolerances,
                    "Distance of a line from its curve that is a contradiction; 10 when left out")
-      ->type_name("MM")
-      ->check(number_between(0.001, 1e6));
+      ->type_name("[CURVE=]MM")
+      ->take_all()
+      ->expected(1);
+  command
+      ->add_option("--degree", request->degrees,
+                   "Degree of all curves, or of one, 2 to 9; the start model's when left out")
+      ->type_name("[CURVE=]N")
+      ->take_all()
+      ->expected(1);
   command->add_flag("--json", request->json, "Print JSON");
   command->callback([request, &context] { run(context, *request); });
 }

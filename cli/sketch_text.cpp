@@ -42,14 +42,17 @@ std::string line_of(const CurveReport& curve) {
                                               : "template");
 }
 
-Json json_of(const CurveReport& curve) {
+Json json_of(const CurveReport& curve, int degree) {
   Json views = Json::array();
   for (const sketch::CurveView& view : curve.views)
     views.push_back({{"view", model::view_name(view.view)},
                      {"rms_mm", view.rms},
                      {"p90_mm", view.p90},
                      {"drawn_speed", view.drawn_speed}});
-  Json document{{"curve", curve.curve}, {"source", source_name(curve.source)}, {"views", views}};
+  Json document{{"curve", curve.curve},
+                {"degree", degree},
+                {"source", source_name(curve.source)},
+                {"views", views}};
   if (curve.source == CurveSource::drawn) {
     document["combined"] = {model::view_name(curve.combined[0]),
                             model::view_name(curve.combined[1])};
@@ -91,7 +94,8 @@ std::string sketch_text(const sketch::SketchResult& result) {
 
 Json sketch_json(const sketch::SketchResult& result) {
   Json curves = Json::array();
-  for (const CurveReport& curve : result.curves) curves.push_back(json_of(curve));
+  for (std::size_t c = 0; c < result.curves.size(); ++c)
+    curves.push_back(json_of(result.curves[c], int(result.model.curves[c].points.size()) - 1));
   return {{"curves", curves},
           {"missing", names_of(result, CurveSource::missing)},
           {"half_drawn", names_of(result, CurveSource::half_drawn)},

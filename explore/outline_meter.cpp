@@ -49,13 +49,14 @@ void add_distances(const model::SilhouetteBody& body, const optimize::OutlineSam
   tracing.spacing = spacing;
   const std::vector<model::SilhouetteCurve> pieces = model::silhouette(body, outline.view, tracing);
   for (const double distance :
-       optimize::match_outline(body, pieces, outline, {reach, true, false}).distances)
+       optimize::match_outline(body, pieces, outline, {reach, false}).distances)
     distances.push_back(std::abs(distance));
   const optimize::OutlineTree tree(outline);
   for (const model::SilhouetteCurve& piece : pieces) {
     for (const model::SilhouettePoint& point : piece.points) {
-      const optimize::OutlineFoot foot = tree.nearest(point.picture, point.normal);
-      if (!foot.beyond && !foot.two_sided) distances.push_back((foot.point - point.picture).norm());
+      const std::optional<optimize::OutlineFoot> foot = tree.nearest(point.picture, point.normal);
+      if (foot && !foot->beyond && !foot->two_sided)
+        distances.push_back((foot->point - point.picture).norm());
     }
   }
 }

@@ -27,7 +27,7 @@ std::unique_ptr<const model::Scan> read_folded(const std::filesystem::path& file
   if (metric.posed) options.pose = model::Pose{};
   const model::Pose pose = optimize::align_scan(scan.scan, model, options).pose;
   const model::Scan outside = optimize::oriented_scan(scan.scan, pose, model, points);
-  return std::make_unique<model::Scan>(optimize::folded_scan(outside, pose, points));
+  return std::make_unique<model::Scan>(optimize::folded_scan(outside, pose, points).scan);
 }
 
 optimize::MatchOptions match_options() {

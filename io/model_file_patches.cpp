@@ -5,6 +5,7 @@
 #include "io/model_file_lookup.hpp"
 #include "io/model_file_names.hpp"
 #include "model/family.hpp"
+#include "model/largest_coordinate.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -15,8 +16,6 @@ using model::Side;
 constexpr Count points_of_curve{3, 10};
 /// At most one for each of ten rows.
 constexpr Count shape_values{0, 10};
-/// Largest coordinate in mm; a car that is 1 km long is a mistake in the units.
-constexpr double largest_coordinate = 1e6;
 constexpr double largest_parameter = 1e6;
 
 /// A side as the file names it: a curve, with "-" in front when it runs backwards.
@@ -88,7 +87,7 @@ void read_curves(const FileTable& root, double scale, model::Model& model) {
     table.allow_only({"points", "note"}, "a curve");
     model::Curve curve;
     curve.name = name;
-    curve.points = table.points("points", points_of_curve, scale, largest_coordinate);
+    curve.points = table.points("points", points_of_curve, scale, model::largest_coordinate);
     curve.note = table.text_or("note", "");
     model.curves.push_back(std::move(curve));
   }

@@ -2,35 +2,38 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "io/scan_input.hpp"
 #include "io/scan_words.hpp"
+#include "model/largest_coordinate.hpp"
 
 namespace bodyline::io {
 namespace {
 
-constexpr std::array<std::string_view, 3> rules{"through", "inside", "outside"};
 constexpr std::size_t most_points = 10'000;
 
 double number(const ScanInput& input, std::string_view word) {
   double value = 0.0;
   if (!number_from_word(word, value) || !std::isfinite(value))
     input.fail_line(fmt::format("{} is not a finite number.", shown_word(word)));
+  if (std::abs(value) > model::largest_coordinate) {
+    input.fail_line(fmt::format("{} is beyond {:g} mm; hard points lie in the model's coordinates.",
+                                shown_word(word), model::largest_coordinate));
+  }
   return value;
 }
 
-HardPointLine parse(const ScanInput& input, std::string_view line) {
-  HardPointLine result;
+model::HardPoint parse(const ScanInput& input, std::string_view line) {
+  model::HardPoint result;
   for (int axis = 0; axis < 3; ++axis) result.point[axis] = number(input, next_word(line));
-  result.rule = next_word(line);
-  if (std::find(rules.begin(), rules.end(), result.rule) == rules.end()) {
-    input.fail_line(
-        fmt::format("{} is no rule of a hard point; there are through, inside and outside.",
-                    shown_word(result.rule)));
+  const std::string_view name = next_word(line);
+  const std::optional<model::HardPointRule> rule = model::rule_from_name(name);
+  if (!rule) {
+    input.fail_line(fmt::format(
+        "{} is no rule of a hard point; there are through, inside and outside.", shown_word(name)));
   }
+  result.rule = *rule;
   const std::string_view margin = next_word(line);
   if (!margin.empty()) result.margin = number(input, margin);
   if (result.margin < 0.0) input.fail_line("the margin of a hard point must not be negative.");
@@ -41,9 +44,9 @@ HardPointLine parse(const ScanInput& input, std::string_view line) {
 
 }  // namespace
 
-std::vector<HardPointLine> read_hard_points(const std::filesystem::path& path) {
+std::vector<model::HardPoint> read_hard_points(const std::filesystem::path& path) {
   ScanInput input(path);
-  std::vector<HardPointLine> points;
+  std::vector<model::HardPoint> points;
   std::string_view line;
   while (input.filled_line(line)) {
     std::string_view rest = line;

@@ -10,11 +10,14 @@
 #include "io/model_file_text.hpp"
 #include "io/read_drawing.hpp"
 #include "io/scan_words.hpp"
+#include "model/elevation.hpp"
 
 namespace bodyline::io {
 namespace {
 
 using model::View;
+
+constexpr double largest_length = 1e6;  // mm
 
 // The paths in a layer, with what of their layers lies within it.
 model::Drawing layer_of(const model::Drawing& drawing, const std::string& layer) {
@@ -54,6 +57,14 @@ Eigen::Vector2d drawn_point(const std::array<double, 2>& point, const model::Dra
   return {point[0], drawing.y_down ? -point[1] : point[1]};
 }
 
+// A number above 0.
+std::optional<double> find_positive(const FileTable& table, const std::string& name,
+                                    double largest) {
+  const std::optional<double> number = table.find_number(name, largest);
+  if (number && !(*number > 0.0)) table.fail(name, "must be above 0.");
+  return number;
+}
+
 ViewDrawing read_view(const std::string& name, const FileTable& table,
                       const std::filesystem::path& folder) {
   table.allow_only({"file", "layer", "scale", "origin", "nose"}, "a view");
@@ -72,11 +83,24 @@ ViewDrawing read_view(const std::string& name, const FileTable& table,
     view.drawing = layer_of(view.drawing, table.text("layer"));
     if (view.drawing.paths.empty()) table.fail("layer", "holds nothing, or does not exist.");
   }
-  view.scale = table.find_number("scale", largest);
-  if (view.scale && !(*view.scale > 0.0)) table.fail("scale", "must be above 0.");
+  view.scale = find_positive(table, "scale", largest);
   if (table.has("origin"))
     view.origin = drawn_point(table.pair_or("origin", {}, largest), view.drawing);
   return view;
+}
+
+std::optional<int> find_degree(const FileTable& table) {
+  if (!table.has("degree")) return std::nullopt;
+  return int(table.whole("degree", 2, model::max_patch_degree));
+}
+
+void read_curves(const FileTable& root, ViewsFile& file) {
+  const auto curves = root.find_table("curves");
+  if (!curves) return;
+  for (const auto& [name, table] : curves->tables()) {
+    table.allow_only({"degree", "tolerance"}, "a curve");
+    file.curves[name] = {find_degree(table), find_positive(table, "tolerance", largest_length)};
+  }
 }
 
 ViewsFile views_in_table(const std::filesystem::path& path) {
@@ -84,17 +108,17 @@ ViewsFile views_in_table(const std::filesystem::path& path) {
   check_text_limits(text, path.string());
   const ModelFile source(text, path.string());
   const FileTable root(source, source.root(), "");
-  root.allow_only({"start", "tolerance", "size", "views"}, "a file of views");
-  constexpr double largest = 1e6;
+  root.allow_only({"start", "tolerance", "degree", "size", "curves", "views"}, "a file of views");
   ViewsFile file;
   if (root.has("start")) file.start = path.parent_path() / root.text("start");
-  file.tolerance = root.find_number("tolerance", largest);
-  if (file.tolerance && !(*file.tolerance > 0.0)) root.fail("tolerance", "must be above 0.");
+  file.tolerance = find_positive(root, "tolerance", largest_length);
+  file.degree = find_degree(root);
+  read_curves(root, file);
   if (const auto size = root.find_table("size")) {
     size->allow_only({"length", "width", "height"}, "a size");
-    file.length = size->find_number("length", largest);
-    file.width = size->find_number("width", largest);
-    file.height = size->find_number("height", largest);
+    file.length = find_positive(*size, "length", largest_length);
+    file.width = find_positive(*size, "width", largest_length);
+    file.height = find_positive(*size, "height", largest_length);
   }
   const auto views = root.find_table("views");
   if (!views) root.fail("views", "is required but missing.");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,11 +10,19 @@
 
 namespace bodyline::io {
 
+/// What a file of views says of one curve.
+struct CurveSettings {
+  std::optional<int> degree;
+  std::optional<double> tolerance;  ///< mm
+};
+
 /// The drawings of a car in several views, as one file holds or names them.
 struct ViewsFile {
   std::vector<ViewDrawing> views;
   std::filesystem::path start;  ///< the model to start from; empty when the file names none
   std::optional<double> tolerance, length, width, height;  ///< mm
+  std::optional<int> degree;                               ///< of all curves
+  std::map<std::string, CurveSettings> curves;             ///< by name
 };
 
 /// Reads a TOML file that names the drawings of the views, or an SVG file whose outermost layers

@@ -65,7 +65,7 @@ inline PullSums pulls(const FootPointArrays& a, const PullRule& rule, const Pull
       const Mask out_of_rim = masks.rim & (beyond > zero);
       measure = masks.rim ? off * off : measure;
       rim_weight = out_of_rim ? geman_mcclure(rim_scale * beyond) : one;
-      const Mask turned = out_of_rim & (cosine < least_rim_cosine);
+      const Mask turned = out_of_rim & (cosine < rule.least_rim_cosine);
       rim_weight = (turned | (masks.rim & masks.end)) ? zero : rim_weight;
       const Lanes scale = out_of_rim ? 1.0 / (out_of_rim ? beyond : one) : zero;
       const Symmetric outward = outer_square(along);

@@ -37,15 +37,22 @@ struct FootPointArrays {
   double* normal[3] = {};  ///< unit normals there, along Su x Sv; 0 where there is none
 };
 
-/// Least cosine between the normals of the body and of the scan at which a rim is pulled.
-inline constexpr double least_rim_cosine = 0.7;
-
-/// How strongly the points of a scan pull at a face (optimize/robust_pulls.hpp says why).
+/// How strongly the points of a scan pull at a face. A point lies at d from its foot, off = d . n
+/// along the outward unit normal n there and t = d - off n along the surface; c is the cosine
+/// between n and the scan's normal, 0 where it is negative, 1 where the scan has none; and
+/// g(x, r) = 1 / (1 + x / r^2)^2, the weight of Geman and McClure. Then
+///
+///   W = c^2 g(|d|^2, normal_reach) n n'                                   within the face,
+///   W = c^2 g(off^2, normal_reach) g(t^2, rim_reach) (n n' + t t' / t^2)  at a rim,
+///
+/// and W = 0 at the ends of rims, and where t is not 0 at a rim but c is below least_rim_cosine.
+/// Beside an inner edge the whole of d counts: there the face beyond the edge has the point.
 struct PullRule {
   const double* scan_normal[3] = {};  ///< at the points; null where the scan has none
   bool inward = false;                ///< whether Su x Sv of the face points into the body
   bool rims[4] = {};                  ///< which of the sides u = 0, u = 1, v = 0, v = 1 are rims
   double normal_reach = 0.0, rim_reach = 0.0;  ///< mm
+  double least_rim_cosine = 0.0;
 };
 
 /// Points on a face and where they should be, coordinate by coordinate, with room as
@@ -102,7 +109,7 @@ struct Kernels {
   /// the given parameters; `blend` is null on a polynomial face.
   void (*foot_points)(int degree_u, int degree_v, const double* net, const double* blend, int steps,
                       const FootPointArrays&) = nullptr;
-  /// The pulls at foot points, of the kind of optimize::robust_pull; `distance` gets how far the
+  /// The pulls at foot points, as PullRule says; `distance` gets how far the
   /// points are. `out` has the count of the points and as much room.
   PullSums (*pulls)(const FootPointArrays&, const PullRule&, const PullArrays& out,
                     double* distance) = nullptr;

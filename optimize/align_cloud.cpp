@@ -2,8 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +10,7 @@
 #include <string>
 
 #include "optimize/estimate_normals.hpp"
+#include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -24,19 +23,6 @@ constexpr int neighbours = 12;
 // cloud, or for those neighbours themselves.
 constexpr double alone_in_cloud = 3.0;
 constexpr double alone_among_neighbours = 1.7;
-
-constexpr int plane_trials = 300;
-constexpr int plane_trial_points = 1500;
-constexpr double plane_half_thickness = 0.8;  // spacings
-constexpr double ground_share = 0.08;
-constexpr double ground_behind = 0.02;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // One point of each of `count` equal runs of the order: even cover even of files sorted in space.
 std::vector<std::size_t> drawn_evenly(std::size_t size, std::size_t count, unsigned seed) {
@@ -132,76 +118,6 @@ AlignCloud thinned(const AlignCloud& cloud, int count) {
       cloud.spacing * std::sqrt(double(cloud.points.size()) /
                                 double(std::max<std::size_t>(1, result.points.size())));
   return result;
-}
-
-Plane largest_plane(const AlignCloud& cloud, unsigned seed) {
-  const AlignCloud few = thinned(cloud, plane_trial_points);
-  const double half = plane_half_thickness * cloud.spacing;
-  std::mt19937_64 generator(seed);
-  Plane best;
-  std::size_t best_count = 0;
-  for (int trial = 0; trial < plane_trials; ++trial) {
-    const Vector3d& a = few.points[generator() % few.points.size()];
-    const Vector3d& b = few.points[generator() % few.points.size()];
-    const Vector3d& c = few.points[generator() % few.points.size()];
-    const Vector3d normal = (b - a).cross(c - a).normalized();
-    if (!normal.allFinite() || normal.squaredNorm() < 0.5) continue;
-    std::size_t count = 0;
-    for (const Vector3d& point : few.points) count += std::abs(normal.dot(point - a)) < half;
-    if (count <= best_count) continue;
-    best_count = count;
-    best.normal = normal;
-    best.offset = normal.dot(a);
-  }
-  best.share = double(best_count) / double(few.points.size());
-  return best;
-}
-
-AlignCloud without_plane(const AlignCloud& cloud, const Plane& plane) {
-  AlignCloud result = cloud;
-  std::vector<char> kept(cloud.points.size());
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    kept[i] = std::abs(plane.normal.dot(cloud.points[i]) - plane.offset) >
-              2.0 * plane_half_thickness * cloud.spacing;
-  keep(result, kept);
-  return result;
-}
-
-bool may_be_ground(const AlignCloud& cloud, const Plane& plane) {
-  if (plane.share < ground_share) return false;
-  std::size_t above = 0, below = 0;
-  for (const Vector3d& point : cloud.points) {
-    const double height = plane.normal.dot(point) - plane.offset;
-    above += height > 3.0 * cloud.spacing;
-    below += height < -3.0 * cloud.spacing;
-  }
-  return double(std::min(above, below)) < ground_behind * double(cloud.points.size());
-}
-
-PrincipalBox box_along(const AlignCloud& cloud, const Matrix3d& axes, double tail) {
-  PrincipalBox box;
-  box.axes = axes;
-  std::vector<double> along(cloud.points.size());
-  const std::size_t skip = std::size_t(tail * double(along.size()));
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < along.size(); ++i) along[i] = axes.row(axis).dot(cloud.points[i]);
-    std::sort(along.begin(), along.end());
-    box.low[axis] = along[skip];
-    box.high[axis] = along[along.size() - 1 - skip];
-  }
-  return box;
-}
-
-PrincipalBox principal_box(const AlignCloud& cloud) {
-  Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& point : cloud.points) mean += point;
-  mean /= double(cloud.points.size());
-  Matrix3d spread = Matrix3d::Zero();
-  for (const Vector3d& point : cloud.points) spread += (point - mean) * (point - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(spread / spread.trace());
-  Matrix3d axes = solver.eigenvectors().rowwise().reverse().transpose();
-  if (axes.determinant() < 0) axes.row(2) *= -1;
-  return box_along(cloud, axes, 0.01);
 }
 
 }  // namespace bodyline::optimize

@@ -20,35 +20,8 @@ struct AlignCloud {
 /// when a coordinate is not finite.
 AlignCloud thin_and_clean(const model::Scan& scan, int count, int least_points, unsigned seed);
 
-/// Every point's share of a cloud of about `count` points.
+/// At most `count` points of a cloud, spread evenly over its order; the spacing grows with what is
+/// left out.
 AlignCloud thinned(const AlignCloud& cloud, int count);
-
-/// A plane { x : normal . x = offset }.
-struct Plane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double offset = 0.0;
-  double share = 0.0;  ///< of the cloud's points that lie on it
-};
-
-/// The plane that holds the most points, found by drawing triples by `seed`.
-Plane largest_plane(const AlignCloud& cloud, unsigned seed);
-
-/// The points off a plane.
-AlignCloud without_plane(const AlignCloud& cloud, const Plane& plane);
-
-/// Whether a plane may be the ground: it holds many points, and hardly any lie behind it.
-bool may_be_ground(const AlignCloud& cloud, const Plane& plane);
-
-/// Axes of greatest, middle and least spread, as rows, right-handed; and the box along them that
-/// holds all but 1 % of the points at each end.
-struct PrincipalBox {
-  Eigen::Matrix3d axes;
-  Eigen::Vector3d low, high;  ///< along the axes
-  Eigen::Vector3d extents() const { return high - low; }
-};
-PrincipalBox principal_box(const AlignCloud& cloud);
-
-/// The box along the rows of `axes` that leaves out the fraction `tail` of the points at each end.
-PrincipalBox box_along(const AlignCloud& cloud, const Eigen::Matrix3d& axes, double tail);
 
 }  // namespace bodyline::optimize

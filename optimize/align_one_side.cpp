@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "optimize/geman_mcclure.hpp"
 #include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
@@ -81,15 +82,15 @@ UprightPlane robust_plane(const std::vector<Vector3d>& points) {
   std::vector<double> across;
   for (const Vector3d& p : points) across.push_back(p.y());
   UprightPlane plane;
-  plane.numbers[0] = quantile(across, 0.5);
+  plane.numbers[0] = median(across);
   for (const double scale : edge_scales) {
     Matrix3d matrix = Matrix3d::Zero();
     Vector3d right = Vector3d::Zero();
     for (const Vector3d& p : points) {
-      const double ratio = 1.0 + std::pow((p.y() - plane.at(p)) / scale, 2);
+      const double off = p.y() - plane.at(p), weight = geman_mcclure(off * off, scale);
       const Vector3d row(1.0, p.x(), p.z());
-      matrix += row * row.transpose() / (ratio * ratio);
-      right += row * p.y() / (ratio * ratio);
+      matrix += weight * row * row.transpose();
+      right += weight * p.y() * row;
     }
     const Vector3d numbers = matrix.ldlt().solve(right);
     if (numbers.allFinite()) plane.numbers = numbers;
@@ -100,7 +101,7 @@ UprightPlane robust_plane(const std::vector<Vector3d>& points) {
 double scatter(const std::vector<Vector3d>& points, const UprightPlane& plane) {
   std::vector<double> distances;
   for (const Vector3d& p : points) distances.push_back(std::abs(p.y() - plane.at(p)));
-  return quantile(std::move(distances), 0.5);
+  return median(std::move(distances));
 }
 
 // A point whose normal is nearly level across the car.

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "optimize/align_cloud.hpp"
+#include "optimize/align_ground.hpp"
 
 /// What is not a car. Each throws std::invalid_argument with one sentence.
 namespace bodyline::optimize {

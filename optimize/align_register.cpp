@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/geman_mcclure.hpp"
+
 namespace bodyline::optimize {
 namespace {
 
@@ -23,13 +25,8 @@ struct NormalEquations {
   double weight = 0.0;
 };
 
-double geman_mcclure_weight(double squared, double scale) {
-  const double ratio = 1.0 + squared / (scale * scale);
-  return 1.0 / (ratio * ratio);
-}
-
 // One point of the cloud against the shape.
-struct Match {
+struct PlaneMatch {
   Vector3d arm;      ///< from the shape's centre to the point
   Vector3d plane;    ///< normal of the stretched shape at the nearest sample
   double distance;   ///< to the plane there
@@ -37,9 +34,9 @@ struct Match {
   double agreement;  ///< of the normals, 0 to 1
 };
 
-Match match(const Vector3d& point, const Vector3d& normal, const AlignShape& shape,
-            const Placement& placement) {
-  Match found;
+PlaneMatch match(const Vector3d& point, const Vector3d& normal, const BodySamples& shape,
+                 const Placement& placement) {
+  PlaneMatch found;
   found.arm = placement.rotation * point + placement.translation - shape.centre();
   const Vector3d unstretched = shape.centre() + found.arm.cwiseQuotient(placement.stretch);
   const int near = shape.tree.nearest(unstretched).index;
@@ -53,9 +50,8 @@ Match match(const Vector3d& point, const Vector3d& normal, const AlignShape& sha
   return found;
 }
 
-void add_match(const Match& match, double scale, NormalEquations& sum) {
-  const double weight =
-      match.agreement * match.agreement * geman_mcclure_weight(match.squared, scale);
+void add_match(const PlaneMatch& match, double scale, NormalEquations& sum) {
+  const double weight = match.agreement * match.agreement * geman_mcclure(match.squared, scale);
   Vector9 row;
   row << match.arm.cross(match.plane), match.plane, -match.plane.cwiseProduct(match.arm);
   sum.matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
@@ -104,7 +100,7 @@ void move(const Vector9& step, const Vector3d& centre, Placement& placement) {
 
 }  // namespace
 
-Placement registered(const AlignCloud& cloud, const AlignShape& shape, Placement placement,
+Placement registered(const AlignCloud& cloud, const BodySamples& shape, Placement placement,
                      const std::vector<double>& scales, const Freedoms& free) {
   for (double scale : scales) {
     NormalEquations sum;
@@ -117,18 +113,18 @@ Placement registered(const AlignCloud& cloud, const AlignShape& shape, Placement
   return placement;
 }
 
-double points_score(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+double points_score(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
                     double tolerance) {
   double sum = 0.0;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const Match found = match(cloud.points[i], cloud.normals[i], shape, placement);
-    sum += found.agreement * geman_mcclure_weight(found.squared, tolerance);
+    const PlaneMatch found = match(cloud.points[i], cloud.normals[i], shape, placement);
+    sum += found.agreement * geman_mcclure(found.squared, tolerance);
   }
   return sum / double(cloud.points.size());
 }
 
 PlacementScore placement_score(const AlignCloud& cloud, const PointTree& tree,
-                               const AlignShape& shape, const Placement& placement,
+                               const BodySamples& shape, const Placement& placement,
                                double tolerance) {
   PlacementScore score;
   score.points = points_score(cloud, shape, placement, tolerance);
@@ -139,7 +135,7 @@ PlacementScore placement_score(const AlignCloud& cloud, const PointTree& tree,
         tree.nearest(placement.rotation.transpose() * (stretched - placement.translation));
     const Vector3d plane = shape.normals[i].cwiseQuotient(placement.stretch).normalized();
     const double agreement = std::abs(plane.dot(placement.rotation * cloud.normals[near.index]));
-    score.samples += agreement * geman_mcclure_weight(near.squared_distance, tolerance);
+    score.samples += agreement * geman_mcclure(near.squared_distance, tolerance);
   }
   score.samples /= double(shape.points().size());
   return score;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "optimize/align_cloud.hpp"
-#include "optimize/align_shape.hpp"
+#include "optimize/body_samples.hpp"
 
 namespace bodyline::optimize {
 
@@ -35,7 +35,7 @@ inline constexpr Freedoms stretches{false, false, false, false, false, false, tr
 /// Moves a placement towards the least robust sum (Geman-McClure) of squared distances from the
 /// cloud's points to the tangent planes of the nearest points of the shape: one step per entry of
 /// `scales` (mm), the distance at which a point begins to count as an outlier.
-Placement registered(const AlignCloud& cloud, const AlignShape& shape, Placement start,
+Placement registered(const AlignCloud& cloud, const BodySamples& shape, Placement start,
                      const std::vector<double>& scales, const Freedoms& free);
 
 /// How well a placement explains a cloud, between 0 and 1.
@@ -46,12 +46,12 @@ struct PlacementScore {
 };
 
 /// PlacementScore::points alone.
-double points_score(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+double points_score(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
                     double tolerance);
 
 /// Scores a placement at a tolerance in mm. `tree` holds the points of `cloud`.
 PlacementScore placement_score(const AlignCloud& cloud, const PointTree& tree,
-                               const AlignShape& shape, const Placement& placement,
+                               const BodySamples& shape, const Placement& placement,
                                double tolerance);
 
 }  // namespace bodyline::optimize

@@ -6,15 +6,18 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "optimize/align_box.hpp"
 #include "optimize/align_cloud.hpp"
+#include "optimize/align_ground.hpp"
 #include "optimize/align_level.hpp"
 #include "optimize/align_one_side.hpp"
 #include "optimize/align_refusals.hpp"
 #include "optimize/align_register.hpp"
 #include "optimize/align_search.hpp"
-#include "optimize/align_shape.hpp"
 #include "optimize/align_symmetry.hpp"
 #include "optimize/align_unit.hpp"
+#include "optimize/body_samples.hpp"
+#include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -77,7 +80,7 @@ Prepared prepared(const model::Scan& scan, const AlignOptions& options) {
 }
 
 // The plane of the ground may be a flat side of the car: then its points lie on the shape.
-bool plane_is_car(const Prepared& prepared, const AlignShape& shape, const Candidate& candidate) {
+bool plane_is_car(const Prepared& prepared, const BodySamples& shape, const Candidate& candidate) {
   const auto on_shape = [&](const AlignCloud& cloud) {
     const AlignCloud few = thinned(cloud, settled_points);
     return double(cloud.points.size()) *
@@ -89,7 +92,7 @@ bool plane_is_car(const Prepared& prepared, const AlignShape& shape, const Candi
 }
 
 // Tries the scan with and without what may be the ground; leaves the car in `off_ground`.
-std::vector<Candidate> searched(Prepared& prepared, const AlignShape& shape) {
+std::vector<Candidate> searched(Prepared& prepared, const BodySamples& shape) {
   auto best = search_placements(prepared.cloud, prepared.off_ground, shape);
   if (!prepared.ground) return best;
   auto with_plane = search_placements(prepared.cloud, prepared.cloud, shape);
@@ -100,7 +103,7 @@ std::vector<Candidate> searched(Prepared& prepared, const AlignShape& shape) {
 }
 
 // Share of the samples of the shape beyond `side` of the plane that have a point near.
-double side_coverage(const PointTree& tree, const AlignShape& shape, const Placement& placement,
+double side_coverage(const PointTree& tree, const BodySamples& shape, const Placement& placement,
                      double sign) {
   double covered = 0.0, all = 0.0;
   for (std::size_t i = 0; i < shape.points().size(); ++i) {
@@ -114,8 +117,8 @@ double side_coverage(const PointTree& tree, const AlignShape& shape, const Place
   return all > 0.0 ? covered / all : 0.0;
 }
 
-void find_missing_side(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
-                       AlignResult& result) {
+void find_missing_side(const AlignCloud& cloud, const BodySamples& shape,
+                       const Placement& placement, AlignResult& result) {
   const PointTree tree(cloud.points);
   const double left = side_coverage(tree, shape, placement, -1.0);
   const double right = side_coverage(tree, shape, placement, 1.0);
@@ -125,7 +128,7 @@ void find_missing_side(const AlignCloud& cloud, const AlignShape& shape, const P
 }
 
 // Settles the plane of symmetry from the scan itself where both sides are there.
-Placement settled(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+Placement settled(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
                   AlignResult& result) {
   const AlignCloud few = thinned(cloud, settled_points);
   find_missing_side(few, shape, placement, result);
@@ -141,18 +144,17 @@ Placement settled(const AlignCloud& cloud, const AlignShape& shape, const Placem
   return registered(few, shape, symmetric, refining_scales, in_plane);
 }
 
-double median_misfit(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement) {
+double median_misfit(const AlignCloud& cloud, const BodySamples& shape,
+                     const Placement& placement) {
   std::vector<double> misfits;
   for (const Vector3d& point : cloud.points)
     misfits.push_back(
         shape.tree.nearest(placement.rotation * point + placement.translation).squared_distance);
-  const auto middle = misfits.begin() + std::ptrdiff_t(misfits.size() / 2);
-  std::nth_element(misfits.begin(), middle, misfits.end());
-  return std::sqrt(*middle);
+  return std::sqrt(median(std::move(misfits)));
 }
 
 // Shifts the car along its plane of symmetry to where it is closest to the shape as it is.
-Placement shifted(const AlignCloud& cloud, const AlignShape& shape, Placement placement) {
+Placement shifted(const AlignCloud& cloud, const BodySamples& shape, Placement placement) {
   const AlignCloud few = thinned(cloud, settled_points);
   placement.stretch.setOnes();
   placement = registered(few, shape, placement, shifting_scales, shifts_in_plane);
@@ -161,7 +163,7 @@ Placement shifted(const AlignCloud& cloud, const AlignShape& shape, Placement pl
 }
 
 // Scores a placement on its stretched shape; a side that is missing does not count.
-void judge(const AlignCloud& cloud, const AlignShape& shape, const Placement& placement,
+void judge(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
            AlignResult& result) {
   const AlignCloud few = thinned(cloud, settled_points);
   const PlacementScore score =
@@ -204,7 +206,7 @@ struct Found {
   FitEvidence evidence;
 };
 
-Found found_on(Prepared car, const AlignShape& coarse, const AlignShape& fine) {
+Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine) {
   Found found;
   const auto candidates = searched(car, coarse);
   if (candidates.size() > 1)
@@ -218,12 +220,12 @@ Found found_on(Prepared car, const AlignShape& coarse, const AlignShape& fine) {
 }
 
 // Tries halves of the start model where the scan may be no whole car.
-Found found_placement(const Prepared& car, const AlignShape& coarse, const AlignShape& fine) {
+Found found_placement(const Prepared& car, const BodySamples& coarse, const BodySamples& fine) {
   const Found whole = found_on(car, coarse, fine);
   if (is_clearly_a_car(whole.evidence)) return whole;
   Found best = whole;
   for (const double end : {-1.0, 1.0}) {
-    Found half = found_on(car, half_shape(coarse, end), half_shape(fine, end));
+    Found half = found_on(car, half_of(coarse, end), half_of(fine, end));
     half.result.missing_end = end < 0.0 ? MissingEnd::rear : MissingEnd::front;
     if (is_rather_half_a_car(half.evidence, best.evidence)) best = half;
   }
@@ -231,48 +233,33 @@ Found found_placement(const Prepared& car, const AlignShape& coarse, const Align
   return best;
 }
 
-// The given pose, judged; moved only when asked to.
-Placement given_placement(const Prepared& car, const AlignShape& fine, const AlignOptions& options,
+// The given pose, judged.
+Placement given_placement(const Prepared& car, const BodySamples& fine, const AlignOptions& options,
                           AlignResult& result) {
   const AlignCloud few = thinned(car.off_ground, settled_points);
   Placement given;
   given.rotation = options.pose->rotation;
   given.translation = options.pose->translation;
-  Placement placement = given;
-  if (options.refine_pose) placement = registered(few, fine, given, given_scales, all_free);
-  placement = settled(car.off_ground, fine, placement, result);
-  if (options.refine_pose) {
-    judge(car.off_ground, fine, placement, result);
-    return shifted(car.off_ground, fine, placement);
-  }
+  settled(car.off_ground, fine, given, result);  // tells which side is missing
   const Placement stretched = registered(few, fine, given, given_scales, stretches);
   judge(car.off_ground, fine, stretched, result);
   result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }
 
-void check_pose(const model::Pose& pose) {
-  const bool proper =
-      (pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6 &&
-      pose.rotation.determinant() > 0.0;
-  if (!proper) throw std::invalid_argument("the rotation of the given pose is not a rotation");
-  if (!(pose.scale > 0.0) || !std::isfinite(pose.scale) || !pose.translation.allFinite())
-    throw std::invalid_argument("the given pose needs a positive scale and a finite translation");
-}
-
 }  // namespace
 
 AlignResult align_scan(const model::Scan& scan, const model::Model& start,
                        const AlignOptions& options) {
-  if (options.pose) check_pose(*options.pose);
+  if (options.pose) model::check_pose(*options.pose);
   Prepared car = prepared(scan, options);
-  const AlignShape fine = align_shape(start, fine_spacing);
+  const BodySamples fine = body_samples(start, fine_spacing);
   AlignResult result;
   Placement placement;
   if (options.pose) {
     placement = given_placement(car, fine, options, result);
   } else {
-    const Found found = found_placement(car, align_shape(start, coarse_spacing), fine);
+    const Found found = found_placement(car, body_samples(start, coarse_spacing), fine);
     result = found.result;
     placement = found.placement;
   }

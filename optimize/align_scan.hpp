@@ -12,7 +12,6 @@ namespace bodyline::optimize {
 struct AlignOptions {
   double unit_mm = 0.0;             ///< mm per unit of the scan; 0: guessed from its size
   std::optional<model::Pose> pose;  ///< taken as it is, unit included, and only judged
-  bool refine_pose = false;         ///< turn and shift the given pose to where the scan fits best
   unsigned seed = 1;                ///< of the draw of points; the result hardly depends on it
 };
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "optimize/align_box.hpp"
+
 namespace bodyline::optimize {
 namespace {
 
@@ -23,7 +25,7 @@ const std::vector<double> coarse_scales{500, 500, 500, 350, 350, 250, 250, 180, 
 const std::vector<double> flip_scales{250, 250, 180, 180, 130, 130, 100, 80, 60, 60};
 const std::vector<double> fine_scales{130, 100, 100, 80, 80, 60, 60};
 
-Placement started(const AlignCloud& cloud, const AlignShape& shape, const Matrix3d& rotation) {
+Placement started(const AlignCloud& cloud, const BodySamples& shape, const Matrix3d& rotation) {
   const PrincipalBox box = box_along(cloud, rotation, 0.01);
   Placement placement;
   placement.rotation = rotation;
@@ -33,7 +35,7 @@ Placement started(const AlignCloud& cloud, const AlignShape& shape, const Matrix
   return placement;
 }
 
-std::vector<Placement> starts(const AlignCloud& boxed, const AlignShape& shape) {
+std::vector<Placement> starts(const AlignCloud& boxed, const BodySamples& shape) {
   const AlignCloud few = thinned(boxed, fine_points);
   const Matrix3d axes = principal_box(boxed).axes;
   std::vector<Placement> result;
@@ -51,7 +53,7 @@ std::vector<Placement> starts(const AlignCloud& boxed, const AlignShape& shape) 
 }
 
 // Registers and scores each start; the best come first, ties in the order of the starts.
-std::vector<Candidate> tried(const AlignCloud& cloud, const AlignShape& shape,
+std::vector<Candidate> tried(const AlignCloud& cloud, const BodySamples& shape,
                              const std::vector<Placement>& starts,
                              const std::vector<double>& scales, double tolerance) {
   const PointTree tree(cloud.points);
@@ -84,7 +86,7 @@ std::vector<Placement> distinct(const std::vector<Candidate>& candidates, std::s
 }
 
 // The placement turned by half a turn about each axis of the car.
-std::vector<Placement> flipped(const Placement& placement, const AlignShape& shape) {
+std::vector<Placement> flipped(const Placement& placement, const BodySamples& shape) {
   std::vector<Placement> result;
   for (int axis = 0; axis < 3; ++axis) {
     const Matrix3d turn =
@@ -100,7 +102,7 @@ std::vector<Placement> flipped(const Placement& placement, const AlignShape& sha
 }  // namespace
 
 std::vector<Candidate> search_placements(const AlignCloud& cloud, const AlignCloud& boxed,
-                                         const AlignShape& shape) {
+                                         const BodySamples& shape) {
   const AlignCloud coarse = thinned(boxed, coarse_points), fine = thinned(cloud, fine_points);
   std::vector<Candidate> found =
       tried(coarse, shape, starts(boxed, shape), coarse_scales, 2.0 * shape_tolerance);

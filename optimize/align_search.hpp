@@ -4,7 +4,7 @@
 
 #include "optimize/align_cloud.hpp"
 #include "optimize/align_register.hpp"
-#include "optimize/align_shape.hpp"
+#include "optimize/body_samples.hpp"
 
 namespace bodyline::optimize {
 
@@ -18,7 +18,7 @@ struct Candidate {
 /// principal axis lies roughly along the car, and the runner-up that points another way. `boxed` is
 /// the part of the cloud whose principal axes are tried; all of `cloud` is scored.
 std::vector<Candidate> search_placements(const AlignCloud& cloud, const AlignCloud& boxed,
-                                         const AlignShape& shape);
+                                         const BodySamples& shape);
 
 /// Distance in mm at which a point of a car of another shape still counts as on the body.
 inline constexpr double shape_tolerance = 60.0;

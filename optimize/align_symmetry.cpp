@@ -6,6 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "optimize/geman_mcclure.hpp"
+#include "optimize/quantile.hpp"
+
 namespace bodyline::optimize {
 namespace {
 
@@ -81,8 +84,7 @@ void step(const Mirror& mirror, double scale, MirrorPlane& plane) {
     if (std::abs(height) < near_plane) continue;
     const Partner partner = partner_of(mirror, plane, i);
     if (partner.agreement < least_agreement) continue;
-    const double ratio = 1.0 + partner.squared / (scale * scale);
-    const double weight = 1.0 / (ratio * ratio);
+    const double weight = geman_mcclure(partner.squared, scale);
     const double along = partner.plane.dot(plane.normal);
     const auto slope = [&](const Vector3d& turn) {
       return -2.0 * (turn.dot(point) * along + height * partner.plane.dot(turn));
@@ -114,9 +116,7 @@ SymmetryResult judged(const Mirror& mirror, const MirrorPlane& plane) {
   SymmetryResult result;
   if (distances.empty()) return result;
   result.partners = double(distances.size()) / double(off_plane);
-  const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  result.residual_mm = *middle;
+  result.residual_mm = median(std::move(distances));
   return result;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "optimize/fit_target.hpp"
@@ -15,9 +14,10 @@ namespace bodyline::optimize {
 class BoundedTarget : public FitTarget {
  public:
   void match(const double* nets, const FitRound& round) override;
+  /// What the body is out of its bounds moves the multipliers.
+  void advance() override;
   model::WeightedNetTerm term() const override { return {term_, 1.0}; }
-  double distance() const override { return largest_excess_; }
-  double misfit() const override { return largest_excess_; }
+  double excess() const override { return excess_; }
 
  protected:
   BoundedTarget(const model::BodyPlan& plan, model::Stage stage)
@@ -27,8 +27,12 @@ class BoundedTarget : public FitTarget {
 
  private:
   std::shared_ptr<NetRows> term_;
-  std::vector<double> shifts_;
-  double largest_excess_ = 0.0;
+  void shift_rows();
+
+  std::vector<NetRow> rows_;    // as of the last match
+  std::vector<double> values_;  // of the rows there
+  std::vector<double> shifts_;  // the multipliers, mm
+  double excess_ = 0.0;
 };
 
 }  // namespace bodyline::optimize

@@ -17,7 +17,7 @@ constexpr double trim = 0.9;
 
 Distances distances_of(std::vector<double> distances) {
   Distances result;
-  result.median = quantile(distances, 0.5);
+  result.median = median(distances);
   result.p90 = quantile(distances, 0.9);
   result.p99 = quantile(distances, 0.99);
   result.trimmed_rms = trimmed_rms(std::move(distances), trim);
@@ -41,6 +41,28 @@ double share_seen(const model::Face& face, const std::vector<const Match*>& matc
   return double(count) / all;
 }
 
+std::vector<Match> matches_of(const model::BodyContext& context, const double* nets,
+                              model::Stage stage, const model::Scan& scan) {
+  MatchOptions matching;
+  matching.candidates = 3;
+  return ScanMatcher(context.plan, stage, scan, matching).match(nets);
+}
+
+FaceDeviation face_deviation(const model::Face& face, const std::vector<const Match*>& matches,
+                             double near) {
+  FaceDeviation result;
+  result.name = face.name;
+  result.points = matches.size();
+  std::vector<double> distances;
+  for (const Match* match : matches) {
+    distances.push_back(std::abs(match->distance));
+    result.mean += match->distance / double(result.points);
+  }
+  result.distances = distances_of(std::move(distances));
+  result.seen = share_seen(face, matches, near);
+  return result;
+}
+
 }  // namespace
 
 Deviation measure_deviation(const model::Model& model, const model::Scan& scan,
@@ -53,12 +75,8 @@ Deviation measure_deviation(const model::Model& model, const model::Scan& scan,
   evaluator.build_parameters(context->parameters);
 
   Deviation result;
-  result.scan = folded_scan(scan, pose, options.most_points);
-  MatchOptions matching;
-  matching.candidates = 3;
-  result.matches =
-      ScanMatcher(context->plan, options.stage, result.scan, matching).match(evaluator.nets());
-
+  result.scan = folded_scan(scan, pose, options.most_points).scan;
+  result.matches = matches_of(*context, evaluator.nets(), options.stage, result.scan);
   const std::vector<model::Face>& faces = context->plan.faces(options.stage);
   std::vector<std::vector<const Match*>> of_face(faces.size());
   std::vector<double> all;
@@ -68,19 +86,10 @@ Deviation measure_deviation(const model::Model& model, const model::Scan& scan,
   }
   result.distances = distances_of(std::move(all));
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    FaceDeviation face;
-    face.name = faces[f].name;
-    face.points = of_face[f].size();
-    std::vector<double> distances;
-    for (const Match* match : of_face[f]) {
-      distances.push_back(std::abs(match->distance));
-      face.mean += match->distance / double(face.points);
-    }
-    face.distances = distances_of(std::move(distances));
-    face.seen = share_seen(faces[f], of_face[f], options.near);
-    if (faces[f].kind == model::FaceKind::patch && face.seen < options.least_seen)
-      result.unseen_patches.push_back(face.name);
-    result.faces.push_back(std::move(face));
+    result.faces.push_back(face_deviation(faces[f], of_face[f], options.near));
+    const bool patch = faces[f].kind == model::FaceKind::patch;
+    if (patch && result.faces.back().seen < options.least_seen)
+      result.unseen_patches.push_back(faces[f].name);
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "model/largest_coordinate.hpp"
 #include "optimize/bounded_target.hpp"
 
 namespace bodyline::optimize {
@@ -20,7 +21,6 @@ class DimensionTarget : public BoundedTarget {
   DimensionTarget(const model::Model& model, const model::BodyPlan& plan, model::Stage stage,
                   std::vector<Bounded> bounds)
       : BoundedTarget(plan, stage), meter_(model, plan, stage), bounds_(std::move(bounds)) {}
-  std::string name() const override { return "dimensions"; }
 
  private:
   std::vector<NetRow> measure(const double* nets) override;
@@ -53,6 +53,8 @@ FitTargetMaker dimension_target(const model::Model& model,
   for (const DimensionBound& bound : bounds) {
     if (!(bound.lower <= bound.upper))
       throw std::invalid_argument("the bounds of '" + bound.name + "' are in the wrong order");
+    if (bound.lower < -model::largest_coordinate || bound.upper > model::largest_coordinate)
+      throw std::invalid_argument("the bounds of '" + bound.name + "' must lie within 1 km");
     checked.push_back({model::dimension_of(model, bound.name), bound.lower, bound.upper});
   }
   return [model, checked](const model::BodyPlan& plan, model::Stage stage, FitDetail) {

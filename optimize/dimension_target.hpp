@@ -16,7 +16,7 @@ struct DimensionBound {
 };
 
 /// Bounds on dimensions as a target of a fit. Throws std::invalid_argument when the model has no
-/// such dimension or bounds are in the wrong order.
+/// such dimension, bounds are in the wrong order or one is beyond model::largest_coordinate.
 FitTargetMaker dimension_target(const model::Model& model,
                                 const std::vector<DimensionBound>& bounds);
 

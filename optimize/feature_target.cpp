@@ -1,88 +1,16 @@
 #include "optimize/feature_target.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
-#include "model/build.hpp"
 #include "model/net_surface.hpp"
-#include "model/suggest.hpp"
 #include "optimize/feature_curve.hpp"
-#include "optimize/quantile.hpp"
-#include "optimize/scan_term.hpp"
+#include "optimize/pull_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double spacing = 10.0;  // of a line's points, mm
-constexpr double heeded_share = 0.9;
-
-// A line at even distances, in the left half.
-struct TiedLine {
-  model::PatchSide side;  // of the patch that has the curve
-  Matrix3d seen;          // see FeatureCurve
-  std::vector<std::vector<Vector3d>> polylines;
-};
-
-model::PatchSide side_with(const model::Model& model, const std::string& curve) {
-  std::vector<std::string> names;
-  for (const model::Curve& known : model.curves) names.push_back(known.name);
-  for (int p = 0; p < int(model.patches.size()); ++p) {
-    for (const model::Side side : model::all_sides) {
-      const model::SideCurve& use = model.patches[p].sides[int(side)];
-      if (!use.mirrored && names[use.curve] == curve) return {p, side};
-    }
-  }
-  throw std::invalid_argument("there is no curve '" + curve + "'; the nearest name is '" +
-                              model::nearest_name(curve, names) + "'");
-}
-
-Vector3d in_left_half(Vector3d point) {
-  point.y() = -std::abs(point.y());
-  return point;
-}
-
-std::vector<Vector3d> even_points(const std::vector<Vector3d>& polyline) {
-  std::vector<Vector3d> points;
-  for (std::size_t k = 0; k + 1 < polyline.size(); ++k) {
-    const Vector3d along = polyline[k + 1] - polyline[k];
-    const int steps = std::max(1, int(std::ceil(std::min(along.norm() / spacing, 1e5))));
-    for (int q = 0; q < steps; ++q) points.push_back(polyline[k] + double(q) / steps * along);
-  }
-  points.push_back(polyline.back());
-  return points;
-}
-
-TiedLine tied(const model::Model& model, const FeatureLine& line) {
-  TiedLine result{side_with(model, line.curve), Matrix3d::Identity(), {}};
-  if (line.view) {
-    const Vector3d toward = model::view_axes(*line.view).toward;
-    result.seen -= toward * toward.transpose();
-  }
-  for (const std::vector<Vector3d>& polyline : line.polylines) {
-    if (polyline.empty()) continue;
-    std::vector<Vector3d>& points = result.polylines.emplace_back();
-    for (const Vector3d& point : even_points(polyline)) {
-      Vector3d lifted = point;
-      if (line.view) {
-        const model::ViewAxes axes = model::view_axes(*line.view);
-        lifted = point.x() * axes.right + point.y() * axes.up;
-      }
-      points.push_back(in_left_half(lifted));
-    }
-  }
-  if (result.polylines.empty())
-    throw std::invalid_argument("the line of the feature '" + line.curve + "' has no points");
-  return result;
-}
-
-std::vector<TiedLine> tied(const model::Model& model, const std::vector<FeatureLine>& lines) {
-  std::vector<TiedLine> result;
-  for (const FeatureLine& line : lines) result.push_back(tied(model, line));
-  return result;
-}
 
 // The nearest point of a line; `beyond` tells that it is an end of the line, and the point that is
 // asked about lies past it.
@@ -105,7 +33,8 @@ Vector3d nearest_of_line(const TiedLine& line, const FeaturePoint& at, bool& bey
       end = (k == 0 && share < 0.0) || (k + 2 == points.size() && share > 1.0);
     }
   }
-  beyond = end && std::abs((line.seen * (nearest - at.position)).dot(at.direction)) > spacing;
+  beyond =
+      end && std::abs((line.seen * (nearest - at.position)).dot(at.direction)) > feature_spacing;
   return nearest;
 }
 
@@ -123,13 +52,11 @@ class FeatureTarget : public FitTarget {
       : plan_(&plan),
         lines_(std::move(lines)),
         weight_(weight),
-        term_(std::make_shared<ScanTerm>(plan, model::Stage::base)) {}
+        term_(std::make_shared<PullTerm>(plan, model::Stage::base)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, weight_}; }
-  std::string name() const override { return "feature lines"; }
-  double distance() const override { return quantile(distances_, 0.5); }
-  double misfit() const override { return trimmed_rms(distances_, heeded_share); }
+  std::optional<TargetFit> fit() const override { return target_fit(distances_); }
 
  private:
   void pull(const TiedLine& line, const FeaturePoint& at, const Vector3d& target, double length);
@@ -137,7 +64,7 @@ class FeatureTarget : public FitTarget {
   const model::BodyPlan* plan_;
   std::shared_ptr<const std::vector<TiedLine>> lines_;
   double weight_;
-  std::shared_ptr<ScanTerm> term_;
+  std::shared_ptr<PullTerm> term_;
   std::vector<double> distances_;
   std::vector<Match> matches_;
   std::vector<MatchPull> pulls_;
@@ -169,7 +96,7 @@ void FeatureTarget::match(const double* nets, const FitRound&) {
       for (const Vector3d& point : points) {
         const FeaturePoint at = curve.nearest(point, line.seen);
         distances_.push_back((line.seen * (point - at.position)).norm());
-        pull(line, at, point, spacing);
+        pull(line, at, point, feature_spacing);
       }
     }
     for (const FeaturePoint& sample : curve.samples()) {
@@ -183,36 +110,13 @@ void FeatureTarget::match(const double* nets, const FitRound&) {
 
 }  // namespace
 
-void check_feature_lines(const model::Model& model, const std::vector<FeatureLine>& lines) {
-  for (const FeatureLine& line : lines) side_with(model, line.curve);
-}
-
 FitTargetMaker feature_target(const model::Model& model, const std::vector<FeatureLine>& lines,
                               double weight) {
-  const auto all = std::make_shared<const std::vector<TiedLine>>(tied(model, lines));
+  const auto all = std::make_shared<std::vector<TiedLine>>();
+  for (const FeatureLine& line : lines) all->push_back(tied_line(model, line));
   return [all, weight](const model::BodyPlan& plan, model::Stage, FitDetail) {
     return std::make_unique<FeatureTarget>(plan, all, weight);
   };
-}
-
-std::vector<FeatureDeviation> measure_features(const model::Model& model,
-                                               const std::vector<FeatureLine>& lines) {
-  const std::vector<model::Surface> patches =
-      model::build(model, model::Stage::base, model::Halves::left_and_central);
-  std::vector<FeatureDeviation> results;
-  for (const FeatureLine& feature : lines) {
-    const TiedLine line = tied(model, feature);
-    const FeatureCurve curve(patches[line.side.patch], line.side.side);
-    std::vector<double> distances;
-    for (const std::vector<Vector3d>& points : line.polylines) {
-      for (const Vector3d& point : points) {
-        const FeaturePoint at = curve.nearest(point, line.seen);
-        distances.push_back((line.seen * (point - at.position)).norm());
-      }
-    }
-    results.push_back({feature.curve, quantile(distances, 0.5), quantile(distances, 0.9)});
-  }
-  return results;
 }
 
 }  // namespace bodyline::optimize

@@ -27,6 +27,13 @@ struct FitPhase::State {
     return options;
   }
 
+  double first_median() const {
+    for (const std::unique_ptr<FitTarget>& target : targets) {
+      if (const std::optional<TargetFit> fit = target->fit()) return fit->median;
+    }
+    return 0.0;
+  }
+
   FitPhaseOptions options;
   model::Model start;
   std::shared_ptr<const model::BodyContext> context;
@@ -58,6 +65,7 @@ FitPhase::Outcome FitPhase::run(const FitRound& round) {
       {std::make_shared<model::Closeness>(s.context->plan, nets), s.options.stay}};
   for (const std::unique_ptr<FitTarget>& target : s.targets) {
     target->match(nets, round);
+    target->advance();
     objective.net_terms.push_back(target->term());
   }
   model::Evaluator evaluator(s.context, s.variables.selected(), objective);
@@ -70,16 +78,18 @@ FitPhase::Outcome FitPhase::run(const FitRound& round) {
   search.should_stop = s.options.should_stop;
   const Result found = minimize(problem, s.x, search);
   s.x = found.x;
-  return {s.targets.empty() ? 0.0 : s.targets.front()->distance(), found.status};
+  return {s.first_median(), found.status};
 }
 
-double FitPhase::misfit(const FitRound& round) {
+double FitPhase::misfit(FitRound round) {
   State& s = *state_;
   s.builder.build(s.variables.expand(s.x));
+  round.search_anew = true;
   double sum = 0.0;
   for (const std::unique_ptr<FitTarget>& target : s.targets) {
     target->match(s.builder.nets(), round);
-    sum += target->misfit();
+    if (const std::optional<TargetFit> fit = target->fit()) sum += fit->misfit;
+    sum += target->excess();
   }
   return sum;
 }

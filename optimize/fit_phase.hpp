@@ -34,13 +34,14 @@ class FitPhase {
   FitPhase(FitPhase&&) noexcept;
 
   struct Outcome {
-    double distance = 0.0;  ///< of the first target before the round, mm
+    double distance = 0.0;  ///< median of the first target of points before the round, mm
     Status status = Status::failed;
   };
   Outcome run(const FitRound& round);
 
-  /// Matches the body as it is now; the misfits of all targets together, mm.
-  double misfit(const FitRound& round);
+  /// Matches the body as it is now, with a search anew; the misfits and the excesses of all targets
+  /// together, mm, NaN where a target has none. Rounds after it go on as they would have without.
+  double misfit(FitRound round);
 
   /// The model as it is now.
   model::Model model() const;

@@ -9,10 +9,25 @@
 namespace bodyline::optimize {
 namespace {
 
+constexpr int rounds_per_search = 2;  // points change their faces only then
+
 // From round to round of unfolding.
 constexpr double fold_growth = 10.0;
 constexpr double fold_cosine_step = 0.1;
 constexpr double rims_decay = 0.5;  // a rim that the scan does not show well may be what folds
+
+constexpr int nodes = 8, unfold_nodes = 16;
+
+// Evaluations of a round: the more, the more there is to move.
+constexpr int warp_evaluations = 60, curve_evaluations = 100, body_evaluations = 150;
+
+FitRound first_round(const FitOptions& options, int nodes_per_direction) {
+  FitRound round;
+  round.fold_weight = options.fold;
+  round.nodes = nodes_per_direction;
+  round.rims = options.rims;
+  return round;
+}
 
 // Scales shrink geometrically from the first round to the last.
 double scale_of(double first, double last, int round, int rounds) {
@@ -48,19 +63,29 @@ FitPhase FitRounds::phase(model::Stage stage, std::vector<std::string> vary, dou
   return FitPhase(model_, *targets_, phase);
 }
 
+bool FitRounds::closer_than(const FitRounds& other) const {
+  const bool usable = !failed_ && std::isfinite(misfit_);
+  const bool other_usable = !other.failed_ && std::isfinite(other.misfit_);
+  return usable != other_usable ? usable : usable && misfit_ < other.misfit_;
+}
+
 void FitRounds::one_round(FitPhase& phase, const std::string& name, int index, int rounds,
                           const FitRound& round) {
   const FitPhase::Outcome outcome = phase.run(round);
   status_ = outcome.status;
+  failed_ = status_ == Status::failed;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   history_.push_back({name, index + 1, rounds, outcome.distance, seconds});
-  if (tells && options_->on_progress) options_->on_progress(history_.back());
+  if (tells_ && options_->on_progress) options_->on_progress(history_.back());
 }
 
 void FitRounds::run(FitPhase& phase, const std::string& name, int rounds, double first,
                     double last) {
-  FitRound round{{first, 0.0}, options_->fold, {}, 8, options_->rims};
-  for (int k = 0; k < rounds && !stopped(); ++k) {
+  failed_ = false;
+  FitRound round = first_round(*options_, nodes);
+  round.reach.normal = first;
+  for (int k = 0; k < rounds && !over(); ++k) {
+    round.search_anew = k % rounds_per_search == 0;
     round.reach.normal = scale_of(first, last, k, rounds);
     round.reach.rim = std::max(options_->rim_near, 2.0 * round.reach.normal);
     one_round(phase, name, k, rounds, round);
@@ -72,8 +97,10 @@ void FitRounds::run(FitPhase& phase, const std::string& name, int rounds, double
 // Keeps the round with the fewest folds.
 void FitRounds::unfold(FitPhase& phase) {
   folded_faces_ = find_folded_faces(model_);
-  FitRound round{{options_->near, options_->rim_near}, options_->fold, {}, 16, options_->rims};
-  for (int k = 0; k < options_->unfold_rounds && !folded_faces_.empty() && !stopped(); ++k) {
+  FitRound round = first_round(*options_, unfold_nodes);
+  round.reach = {options_->near, options_->rim_near};
+  for (int k = 0; k < options_->unfold_rounds && !folded_faces_.empty() && !over(); ++k) {
+    round.search_anew = k % rounds_per_search == 0;
     round.fold_weight *= fold_growth;
     round.fold.cosine += fold_cosine_step;
     round.rims *= rims_decay;
@@ -88,14 +115,14 @@ void FitRounds::unfold(FitPhase& phase) {
 
 void FitRounds::approach() {
   const double middle = std::sqrt(options_->far * options_->near);
-  FitPhase warp = phase(model::Stage::base, {}, 0.0, 60);
+  FitPhase warp = phase(model::Stage::base, {}, 0.0, warp_evaluations);
   run(warp, "warp", options_->warp_rounds, options_->far, 2.0 * middle);
-  FitPhase curves = phase(model::Stage::base, {"curve.*"}, options_->bending, 100);
+  FitPhase curves = phase(model::Stage::base, {"curve.*"}, options_->bending, curve_evaluations);
   run(curves, "curves", options_->curve_rounds, 2.0 * middle, middle);
 }
 
 void FitRounds::refine() {
-  FitPhase body = phase(model::Stage::body, {"*"}, options_->bending, 150);
+  FitPhase body = phase(model::Stage::body, {"*"}, options_->bending, body_evaluations);
   run(body, "body", options_->body_rounds, std::sqrt(options_->far * options_->near),
       options_->near);
   unfold(body);

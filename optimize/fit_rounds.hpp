@@ -1,11 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "optimize/fit_options.hpp"
 #include "optimize/fit_phase.hpp"
-#include "optimize/fit_scan.hpp"
 
 namespace bodyline::optimize {
 
@@ -25,19 +26,24 @@ class FitRounds {
   void refine();
 
   const model::Model& model() const { return model_; }
-  /// That of the targets together at the end of the last phase, mm (fit_target.hpp).
+  /// That of the targets together at the end of the last phase, mm (FitPhase::misfit).
   double misfit() const { return misfit_; }
+  /// Whether it comes before another one: what failed or has no misfit comes last.
+  bool closer_than(const FitRounds& other) const;
   const std::vector<FitProgress>& history() const { return history_; }
   const std::vector<std::string>& folded_faces() const { return folded_faces_; }
   Status status() const { return status_; }
+  /// Whether the user asked to stop.
   bool stopped() const { return options_->should_stop && options_->should_stop(); }
 
-  /// Whether its rounds are told to FitOptions::on_progress.
-  bool tells = true;
+  /// Whether its rounds are told to FitOptions::on_progress from now on; at first they are not.
+  void tell(bool tells) { tells_ = tells; }
 
  private:
   FitPhase phase(model::Stage stage, std::vector<std::string> vary, double bending,
                  int evaluations) const;
+  /// Whether a phase is to end before its time: what fails once fails again.
+  bool over() const { return failed_ || stopped(); }
   void run(FitPhase& phase, const std::string& name, int rounds, double first, double last);
   void unfold(FitPhase& phase);
   void one_round(FitPhase& phase, const std::string& name, int index, int rounds,
@@ -49,8 +55,10 @@ class FitRounds {
   Clock::time_point begin_;
   std::vector<FitProgress> history_;
   std::vector<std::string> folded_faces_;
+  bool tells_ = false;
   Status status_ = Status::failed;
-  double misfit_ = 0.0;
+  bool failed_ = false;  // the last round of the phase
+  double misfit_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace bodyline::optimize

@@ -1,66 +1,14 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "model/model.hpp"
 #include "model/scan.hpp"
-#include "model/variables.hpp"
-#include "optimize/algorithm.hpp"
-#include "optimize/fit_start.hpp"
-#include "optimize/fit_target.hpp"
-#include "optimize/status.hpp"
+#include "optimize/fit_body.hpp"
+#include "optimize/scan_fit_target.hpp"
 
 namespace bodyline::optimize {
 
-/// A round of a fit.
-struct FitProgress {
-  std::string phase;  ///< "warp", "curves", "body" or "unfold"
-  int round = 0, rounds = 0;
-  double distance = 0.0;  ///< median distance of the first target before the round, mm
-  double seconds = 0.0;   ///< since the start
-};
-
-/// How a body is fitted to a scan. The defaults are meant for any car. Weights count against the
-/// mean squared distance, mm^2.
-struct FitOptions {
-  std::size_t coarse_points = 15000, fine_points = 60000;  ///< of the scan, while searching
-  /// All are tried, by warp and by curves; the closest goes on.
-  std::vector<FitStart> starts = usual_fit_starts();
-  int warp_rounds = 15, curve_rounds = 15, body_rounds = 20;
-  int unfold_rounds = 6;    ///< most, with ever stronger barriers while a face folds
-  double far = 250.0;       ///< distance off the surface that counts a quarter at first, mm,
-  double near = 6.0;        ///< and at last
-  double rim_near = 100.0;  ///< likewise beyond rims, at last, mm
-  Algorithm algorithm = Algorithm::nlopt_lbfgs;  ///< of the search in a round
-  double bending = 5e-3;                         ///< weight of the bending energy
-  double fold = 1e3;                             ///< weight of the barrier against folds
-  double stay = 3e-5;  ///< weight of the mean squared move of the base nets in a round
-  double rims = 0.05;  ///< weight of all rims together, as a share of the scan's points
-  model::VariableBounds bounds;
-  std::function<void(const FitProgress&)> on_progress;  ///< of one start; may be empty
-  /// Polled between rounds and at evaluations, from several threads; may be empty.
-  std::function<bool()> should_stop;
-};
-
-struct FitResult {
-  Status status = Status::failed;  ///< of the last round, or interrupted
-  model::Model model;
-  std::vector<FitProgress> history;
-  std::vector<std::string> folded_faces;  ///< those that still fold; " (whole patch)" before cuts
-  double seconds = 0.0;
-};
-
-/// Fits a body to targets in the coordinates of `start`: first a smooth warp of the whole body,
-/// then its curves with whole patches, then everything with the closed body; while a face folds up
-/// to `unfold_rounds` more. Throws std::invalid_argument for options out of range.
-FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Model& start,
-                   const FitOptions& options);
-
 /// Fits a body to a scan that `pose` brings into the coordinates of `start`, with `fit_body`.
-/// Throws std::invalid_argument also when the scan has no points or no normals.
+/// Throws std::invalid_argument as fit_body and scan_fit_target do.
 FitResult fit_scan(const model::Scan& scan, const model::Pose& pose, const model::Model& start,
-                   const FitOptions& options);
+                   const FitOptions& options, const ScanFitOptions& looking = {});
 
 }  // namespace bodyline::optimize

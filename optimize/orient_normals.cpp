@@ -34,17 +34,16 @@ std::vector<Eigen::Vector3d> nearest_normals(const model::Scan& scan, const mode
   options.stage = model::Stage::base;
   model::Evaluator evaluator(context, {}, options);
   evaluator.build_parameters(context->parameters);
-  model::Scan folded = folded_scan(scan, pose, scan.points.size());
-  folded.normals.clear();
+  FoldedScan folded = folded_scan(scan, pose, scan.points.size());
+  folded.scan.normals.clear();
   MatchOptions matching;
   matching.candidates = 1;
   const std::vector<Match> matches =
-      ScanMatcher(context->plan, model::Stage::base, folded, matching).match(evaluator.nets());
+      ScanMatcher(context->plan, model::Stage::base, folded.scan, matching).match(evaluator.nets());
   std::vector<Eigen::Vector3d> normals;
   for (std::size_t k = 0; k < matches.size(); ++k) {
     Eigen::Vector3d normal = matches[k].normal;
-    if ((pose.rotation * scan.points[k]).y() * pose.scale + pose.translation.y() > 0.0)
-      normal.y() = -normal.y();
+    if (folded.mirrored[k]) normal.y() = -normal.y();
     normals.push_back(pose.rotation.transpose() * normal);
   }
   return normals;
@@ -63,10 +62,15 @@ model::Scan oriented_scan(const model::Scan& scan, const model::Pose& pose,
   std::size_t alike = 0;
   for (std::size_t k = 0; k < faces.size(); ++k) alike += faces[k].dot(result.normals[k]) > 0.0;
   const double share = double(alike) / double(std::max<std::size_t>(1, faces.size()));
-  if (share >= clear_majority) return result;
   const bool all_turned = share <= 1.0 - clear_majority;
+  const bool one_by_one = !all_turned && share < clear_majority;
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    if (all_turned || faces[k].dot(result.normals[k]) < 0.0) result.normals[k] *= -1.0;
+    Eigen::Vector3d& normal = result.normals[k];
+    if (!(normal.squaredNorm() > 0.5)) {
+      normal = faces[k];  // the file has none here
+    } else if (all_turned || (one_by_one && faces[k].dot(normal) < 0.0)) {
+      normal *= -1.0;
+    }
   }
   return result;
 }

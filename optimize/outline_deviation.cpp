@@ -22,7 +22,7 @@ OutlineDeviation deviation(const model::SilhouetteBody& body,
                            const OutlineSamples& samples) {
   OutlineDeviation result;
   result.view = samples.drawn_view;
-  result.distances = match_outline(body, pieces, samples, {{1.0, 1.0}, true, false}).distances;
+  result.distances = match_outline(body, pieces, samples, {{1.0, 1.0}, false}).distances;
   for (const Eigen::Vector2d& point : samples.points)
     result.points.push_back(as_drawn(samples, point));
   result.silhouette = model::silhouette_outline(pieces, samples.view);

@@ -7,14 +7,12 @@
 #include <stdexcept>
 
 #include "optimize/outline_match.hpp"
-#include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
 namespace {
 
 using Outlines = std::vector<OutlineSamples>;
 
-constexpr double heeded_share = 0.9;
 constexpr double coarse_spacing = 20.0, fine_spacing = 10.0;  // mm
 
 class OutlineFitTarget : public FitTarget {
@@ -25,21 +23,19 @@ class OutlineFitTarget : public FitTarget {
         stage_(stage),
         outlines_(std::move(outlines)),
         weight_(weight),
-        term_(std::make_shared<ScanTerm>(plan, stage)) {}
+        term_(std::make_shared<PullTerm>(plan, stage)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, weight_}; }
-  std::string name() const override { return "outlines"; }
-  double distance() const override { return distance_; }
-  double misfit() const override { return misfit_; }
+  std::optional<TargetFit> fit() const override { return fit_; }
 
  private:
   const model::BodyPlan* plan_;
   model::Stage stage_;
   std::shared_ptr<const Outlines> outlines_;
   double weight_;
-  std::shared_ptr<ScanTerm> term_;
-  double distance_ = 0.0, misfit_ = 0.0;
+  std::shared_ptr<PullTerm> term_;
+  TargetFit fit_;
 };
 
 // Each once: front and rear share their silhouette.
@@ -63,7 +59,7 @@ void OutlineFitTarget::match(const double* nets, const FitRound& round) {
     const auto pieces = model::silhouette(body, views[v], tracing);
     for (std::size_t k = 0; k < outlines.size(); ++k) {
       if (outlines[k].view == views[v])
-        found[k] = match_outline(body, pieces, outlines[k], {round.reach, true, true});
+        found[k] = match_outline(body, pieces, outlines[k], {round.reach});
     }
   });
   OutlinePulls all;
@@ -72,8 +68,7 @@ void OutlineFitTarget::match(const double* nets, const FitRound& round) {
     all.pulls.insert(all.pulls.end(), one.pulls.begin(), one.pulls.end());
     for (const double distance : one.distances) all.distances.push_back(std::abs(distance));
   }
-  misfit_ = trimmed_rms(all.distances, heeded_share);
-  distance_ = quantile(std::move(all.distances), 0.5);
+  fit_ = target_fit(all.distances);
   term_->set(all.matches, all.pulls);
 }
 

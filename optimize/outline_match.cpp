@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/geman_mcclure.hpp"
 #include "optimize/silhouette_tree.hpp"
 
 namespace bodyline::optimize {
@@ -12,11 +13,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double outside_reach = 250.0;  // mm
-
-double geman_mcclure(double distance, double reach) {
-  const double q = distance / reach, root = 1.0 / (1.0 + q * q);
-  return root * root;
-}
 
 // Half of the way to both neighbours of a point of a piece.
 double length_at(const model::SilhouetteCurve& piece, int k) {
@@ -42,7 +38,7 @@ class OutlineMatcher {
         axes_(model::view_axes(samples.view)) {}
 
   OutlinePulls run() {
-    if (matching_.from_drawing) pull_from_drawing();
+    pull_from_drawing();
     if (matching_.from_body) pull_from_body();
     return std::move(result_);
   }
@@ -71,7 +67,7 @@ class OutlineMatcher {
 void OutlineMatcher::add(const model::SilhouetteCurve& piece, const model::SilhouettePoint& at,
                          const Vector2d& target, double weight, double reach) {
   const Vector2d offset = target - at.picture;
-  weight *= geman_mcclure(offset.norm(), reach);
+  weight *= geman_mcclure(offset.squaredNorm(), reach);
   Match match;
   match.face = piece.face;
   match.u = at.u;
@@ -115,14 +111,14 @@ void OutlineMatcher::pull_from_body() {
   for (const model::SilhouetteCurve& piece : pieces_) {
     for (int k = 0; k < int(piece.points.size()); ++k) {
       const model::SilhouettePoint& at = piece.points[k];
-      const OutlineFoot foot = tree.nearest(at.picture, at.normal);
-      const double cosine = std::max(foot.cosine, 0.0);
+      const std::optional<OutlineFoot> foot = tree.nearest(at.picture, at.normal);
       // A line that is open on both sides does not tell which part of the body it shows.
-      if (foot.beyond || foot.two_sided) continue;
+      if (!foot || foot->beyond || foot->two_sided) continue;
+      const double cosine = std::max(foot->cosine, 0.0);
       // What is drawn may show more than a body (wheels, mirrors), but not less.
       double reach = reach_of(piece);
-      if (foot.outside > 0.0) reach = std::max(reach, outside_reach);
-      add(piece, at, foot.point, length_at(piece, k) * cosine * cosine, reach);
+      if (foot->outside > 0.0) reach = std::max(reach, outside_reach);
+      add(piece, at, foot->point, length_at(piece, k) * cosine * cosine, reach);
     }
   }
 }

@@ -4,21 +4,19 @@
 
 #include "model/silhouette.hpp"
 #include "optimize/outline_samples.hpp"
-#include "optimize/robust_pulls.hpp"
+#include "optimize/pull_reach.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 
 /// How an outline is matched with a silhouette.
 struct OutlineMatching {
   PullReach reach;
-  bool from_drawing =
-      true;               ///< pulls by the drawing's points, from their nearest of the silhouette
-  bool from_body = true;  ///< pulls by the silhouette's points, to their nearest of the drawing
+  bool from_body = true;  ///< the silhouette's points pull too, to their nearest of the drawing
 };
 
-/// Matches of points of silhouettes, and what pulls at them in the picture; see ScanTerm.
+/// Matches of points of silhouettes, and what pulls at them in the picture; see PullTerm.
 struct OutlinePulls {
   std::vector<Match> matches;
   std::vector<MatchPull> pulls;

@@ -64,8 +64,8 @@ Vector3d outline_shift(const model::Model& body,
     const double reach = first_reach * std::pow(last_reach / first_reach, k / (steps - 1.0));
     Step step;
     for (std::size_t v = 0; v < outlines.size(); ++v) {
-      step.add(match_outline(seen, silhouettes[v], moved(outlines[v], shift),
-                             {{reach, reach}, true, false}));
+      step.add(
+          match_outline(seen, silhouettes[v], moved(outlines[v], shift), {{reach, reach}, false}));
     }
     shift += step.move();
   }

@@ -18,8 +18,9 @@ std::vector<int> samples_by_key(const OutlineSamples& samples) {
   return order;
 }
 
-std::vector<SearchTree::Key> keys_of(const OutlineSamples& samples, const std::vector<int>& order) {
-  std::vector<SearchTree::Key> keys;
+std::vector<OrientedTree::Key> keys_of(const OutlineSamples& samples,
+                                       const std::vector<int>& order) {
+  std::vector<OrientedTree::Key> keys;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const double sign = k < samples.points.size() ? 1.0 : -1.0;
     keys.push_back(outline_key(samples.points[order[k]], sign * samples.normals[order[k]]));
@@ -29,9 +30,9 @@ std::vector<SearchTree::Key> keys_of(const OutlineSamples& samples, const std::v
 
 }  // namespace
 
-SearchTree::Key outline_key(const Vector2d& point, const Vector2d& normal) {
-  return SearchTree::key({point.x(), point.y(), 0.0}, {normal.x(), normal.y(), 0.0},
-                         outline_normal_length);
+OrientedTree::Key outline_key(const Vector2d& point, const Vector2d& normal) {
+  return OrientedTree::key({point.x(), point.y(), 0.0}, {normal.x(), normal.y(), 0.0},
+                           outline_normal_length);
 }
 
 OutlineTree::OutlineTree(const OutlineSamples& samples)
@@ -52,10 +53,11 @@ int OutlineTree::walked(int sample, const Vector2d& point) const {
   return sample;
 }
 
-OutlineFoot OutlineTree::nearest(const Vector2d& point, const Vector2d& normal) const {
-  std::size_t found[1];
-  tree_.nearest(outline_key(point, normal), found);
-  const int sample = walked(sample_of_[found[0]], point);
+std::optional<OutlineFoot> OutlineTree::nearest(const Vector2d& point,
+                                                const Vector2d& normal) const {
+  const std::optional<std::size_t> key = tree_.nearest_one(outline_key(point, normal));
+  if (!key) return std::nullopt;
+  const int sample = walked(sample_of_[*key], point);
   const Vector2d& from = samples_->points[sample];
   OutlineFoot foot{from, normal.dot(samples_->normals[sample]), false,
                    bool(samples_->two_sided[sample]), 0.0};

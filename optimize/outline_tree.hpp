@@ -1,17 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "optimize/oriented_tree.hpp"
 #include "optimize/outline_samples.hpp"
-#include "optimize/scan_tree.hpp"
 
 namespace bodyline::optimize {
 
 /// mm that a difference of 1 between normals counts where outlines are matched.
 inline constexpr double outline_normal_length = 100.0;
 
-/// A picture's point and normal as a key of a SearchTree.
-SearchTree::Key outline_key(const Eigen::Vector2d& point, const Eigen::Vector2d& normal);
+/// A picture's point and normal as a key of a OrientedTree.
+OrientedTree::Key outline_key(const Eigen::Vector2d& point, const Eigen::Vector2d& normal);
 
 /// Where a point of a picture meets a drawn outline.
 struct OutlineFoot {
@@ -30,15 +31,17 @@ class OutlineTree {
   /// `samples` has points and must outlive it.
   explicit OutlineTree(const OutlineSamples& samples);
 
-  /// The nearest point of the outline that is turned like `normal`, a unit vector.
-  OutlineFoot nearest(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) const;
+  /// The nearest point of the outline that is turned like `normal`, a unit vector; nothing where
+  /// the point or the normal is not finite.
+  std::optional<OutlineFoot> nearest(const Eigen::Vector2d& point,
+                                     const Eigen::Vector2d& normal) const;
 
  private:
   int walked(int sample, const Eigen::Vector2d& point) const;
 
   const OutlineSamples* samples_;
   std::vector<int> sample_of_;  // by key of the tree
-  SearchTree tree_;
+  OrientedTree tree_;
 };
 
 }  // namespace bodyline::optimize

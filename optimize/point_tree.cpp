@@ -1,36 +1,11 @@
 #include "optimize/point_tree.hpp"
 
-#include <nanoflann.hpp>
+#include "optimize/kd_tree.hpp"
 
 namespace bodyline::optimize {
-namespace {
 
-struct Cloud {
-  std::vector<Eigen::Vector3d> points;
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return points[i][Eigen::Index(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using Index =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, int>;
-
-}  // namespace
-
-struct PointTree::Tree {
-  explicit Tree(std::vector<Eigen::Vector3d> points)
-      : cloud{std::move(points)}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
-    index.buildIndex();
-  }
-
-  Cloud cloud;
-  Index index;
+struct PointTree::Tree : KdTree<Eigen::Vector3d, 3> {
+  using KdTree::KdTree;
 };
 
 PointTree::PointTree(std::vector<Eigen::Vector3d> points)
@@ -39,25 +14,22 @@ PointTree::~PointTree() = default;
 PointTree::PointTree(PointTree&&) noexcept = default;
 PointTree& PointTree::operator=(PointTree&&) noexcept = default;
 
-const std::vector<Eigen::Vector3d>& PointTree::points() const { return tree_->cloud.points; }
+const std::vector<Eigen::Vector3d>& PointTree::points() const { return tree_->keys(); }
 
 PointTree::Neighbour PointTree::nearest(const Eigen::Vector3d& query) const {
-  Neighbour found;
-  if (points().empty()) return found;
-  tree_->index.knnSearch(query.data(), 1, &found.index, &found.squared_distance);
-  return found;
+  std::size_t index[1];
+  double squared[1];
+  if (tree_->nearest(query.data(), index, squared) == 0) return {};
+  return {int(index[0]), squared[0]};
 }
 
 void PointTree::nearest(const Eigen::Vector3d& query, int count,
                         std::vector<Neighbour>& result) const {
-  std::vector<int> indices(std::size_t(count), -1);
-  std::vector<double> distances(std::size_t(count), 0.0);
-  const std::size_t found = points().empty()
-                                ? 0
-                                : tree_->index.knnSearch(query.data(), std::size_t(count),
-                                                         indices.data(), distances.data());
+  std::vector<std::size_t> indices(std::size_t(count), 0);
+  std::vector<double> squared(std::size_t(count), 0.0);
+  const std::size_t found = tree_->nearest(query.data(), indices, squared);
   result.clear();
-  for (std::size_t i = 0; i < found; ++i) result.push_back({indices[i], distances[i]});
+  for (std::size_t k = 0; k < found; ++k) result.push_back({int(indices[k]), squared[k]});
 }
 
 }  // namespace bodyline::optimize

@@ -15,7 +15,7 @@ class PointTree {
   PointTree& operator=(PointTree&&) noexcept;
 
   struct Neighbour {
-    int index = -1;  ///< -1 when the set is empty
+    int index = -1;  ///< -1 when the set is empty or the query is not finite
     double squared_distance = 0.0;
   };
 

@@ -12,6 +12,8 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
 double trimmed_rms(std::vector<double> values, double share) {
   const std::size_t kept = std::size_t(std::ceil(share * double(values.size())));
   if (kept == 0) return 0.0;

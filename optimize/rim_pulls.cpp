@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimize/scan_tree.hpp"
+#include "optimize/foot_columns.hpp"
+#include "optimize/geman_mcclure.hpp"
+#include "optimize/oriented_tree.hpp"
+#include "optimize/point_tree.hpp"
+#include "optimize/quantile.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -28,27 +32,20 @@ RimPoint rim_point(const model::Kernels& kernels, const model::Face& face, const
                    double u, double v, model::Side side) {
   // A step away from the rim gives the direction; a patch is smooth on that scale.
   constexpr double step = 1e-4;
-  double numbers[11][8] = {};
   const bool across_u = model::along_v(side);
-  const double sign = side == model::Side::u0 || side == model::Side::v0 ? 1.0 : -1.0;
-  for (int k = 0; k < 8; ++k) {
-    numbers[3][k] = u + (k == 1 && across_u ? sign * step : 0.0);
-    numbers[4][k] = v + (k == 1 && !across_u ? sign * step : 0.0);
+  const double inward = side == model::Side::u0 || side == model::Side::v0 ? step : -step;
+  FootColumns columns(2);
+  for (int k = 0; k < 2; ++k) {
+    columns.u(k) = u + (k == 1 && across_u ? inward : 0.0);
+    columns.v(k) = v + (k == 1 && !across_u ? inward : 0.0);
   }
-  model::FootPointArrays a;
-  a.count = 2;
-  a.x = numbers[0], a.y = numbers[1], a.z = numbers[2], a.u = numbers[3], a.v = numbers[4];
-  for (int c = 0; c < 3; ++c) a.foot[c] = numbers[5 + c], a.normal[c] = numbers[8 + c];
-  kernels.foot_points(face.degree_u, face.degree_v, net, nullptr, 0, a);
+  kernels.foot_points(face.degree_u, face.degree_v, net, nullptr, 0, columns.arrays());
   RimPoint point;
   point.match.u = u;
   point.match.v = v;
-  Vector3d inside;
-  for (int c = 0; c < 3; ++c) {
-    point.match.foot[c] = numbers[5 + c][0];
-    inside[c] = numbers[5 + c][1];
-    point.match.normal[c] = (face.inward ? -1.0 : 1.0) * numbers[8 + c][0];
-  }
+  point.match.foot = columns.foot(0);
+  point.match.normal = (face.inward ? -1.0 : 1.0) * columns.normal(0);
+  const Vector3d inside = columns.foot(1);
   point.outward = (point.match.foot - inside).normalized();
   return point;
 }
@@ -70,16 +67,16 @@ struct RimPuller::State {
   model::Stage stage;
   const model::Scan* scan;
   std::vector<Rim> rims;
-  SearchTree tree;
+  OrientedTree tree;
   double tolerance = 0.0;  // the scan's points are not denser
 };
 
 namespace {
 
-std::vector<SearchTree::Key> scan_keys(const model::Scan& scan) {
-  std::vector<SearchTree::Key> keys;
+std::vector<OrientedTree::Key> scan_keys(const model::Scan& scan) {
+  std::vector<OrientedTree::Key> keys;
   for (std::size_t k = 0; k < scan.points.size(); ++k) {
-    keys.push_back(SearchTree::key(
+    keys.push_back(OrientedTree::key(
         scan.points[k], scan.normals.empty() ? Vector3d(Vector3d::Zero()) : scan.normals[k],
         normal_length));
   }
@@ -88,26 +85,23 @@ std::vector<SearchTree::Key> scan_keys(const model::Scan& scan) {
 
 // Twice the median distance of neighbours.
 double point_spacing(const model::Scan& scan) {
-  std::vector<SearchTree::Key> keys;
-  for (const Vector3d& point : scan.points)
-    keys.push_back(SearchTree::key(point, Vector3d::Zero(), 0.0));
-  const SearchTree tree(keys);
+  constexpr int neighbours = 4;  // the point itself among them
+  const PointTree tree(scan.points);
   std::vector<double> distances;
-  for (std::size_t k = 0; k < keys.size(); k += 1 + keys.size() / 1000) {
-    std::size_t nearest[4];
-    if (tree.nearest(keys[k], nearest) == 4)
-      distances.push_back((scan.points[nearest[3]] - scan.points[k]).norm());
+  std::vector<PointTree::Neighbour> near;
+  for (std::size_t k = 0; k < scan.points.size(); k += 1 + scan.points.size() / 1000) {
+    tree.nearest(scan.points[k], neighbours, near);
+    if (near.size() < neighbours) continue;
+    distances.push_back((scan.points[near.back().index] - scan.points[k]).norm());
   }
-  if (distances.empty()) return 0.0;
-  const auto middle = distances.begin() + distances.size() / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  return 2.0 * *middle;
+  return 2.0 * median(std::move(distances));
 }
 
 }  // namespace
 
 RimPuller::RimPuller(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan)
-    : state_(new State{&plan, stage, &scan, {}, SearchTree(scan_keys(scan)), point_spacing(scan)}) {
+    : state_(
+          new State{&plan, stage, &scan, {}, OrientedTree(scan_keys(scan)), point_spacing(scan)}) {
   const auto rims = rims_of(plan, stage);
   for (int f = 0; f < int(rims.size()); ++f) {
     for (const model::Side side : model::all_sides) {
@@ -131,14 +125,14 @@ void RimPuller::append(const double* nets, double reach, double weight, std::vec
       RimPoint point = rim_point(kernels, face, nets + 3 * face.net, along_v ? end : t,
                                  along_v ? t : end, rim.side);
       point.match.face = rim.face;
-      std::size_t nearest[1];
       const Vector3d normal =
           s.scan->normals.empty() ? Vector3d(Vector3d::Zero()) : point.match.normal;
-      s.tree.nearest(SearchTree::key(point.match.foot, normal, normal_length), nearest);
-      const Vector3d target = s.scan->points[nearest[0]];
+      const std::optional<std::size_t> nearest =
+          s.tree.nearest_one(OrientedTree::key(point.match.foot, normal, normal_length));
+      if (!nearest) continue;
+      const Vector3d target = s.scan->points[*nearest];
       const double beyond = -(target - point.match.foot).dot(point.outward) - s.tolerance;
-      const double q = beyond / reach, root = 1.0 / (1.0 + q * q);
-      const double pull = beyond > 0.0 ? each * root * root : 0.0;
+      const double pull = beyond > 0.0 ? each * geman_mcclure(beyond * beyond, reach) : 0.0;
       point.match.distance = beyond;
       matches.push_back(point.match);
       pulls.push_back({point.match.foot - beyond * point.outward,

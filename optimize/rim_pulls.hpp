@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/body_plan.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 
@@ -15,7 +15,7 @@ namespace bodyline::optimize {
 std::vector<std::array<bool, 4>> rims_of(const model::BodyPlan& plan, model::Stage stage);
 
 /// Matches of points on the body's rims, and pulls that draw the rims back to where the scan ends.
-/// (Where the scan goes on beyond a rim its own points draw the rim out, see robust_pulls.)
+/// (Where the scan goes on beyond a rim its own points draw the rim out, see ScanFollower.)
 class RimPuller {
  public:
   /// `scan` is folded and has normals; it and the plan must outlive the puller.

@@ -4,17 +4,14 @@
 #include <stdexcept>
 
 #include "optimize/folded_scan.hpp"
-#include "optimize/quantile.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/rim_pulls.hpp"
 #include "optimize/scan_follow.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
 
-constexpr double heeded_share = 0.9;
-constexpr int rounds_per_search = 2;  // points change their faces only then
 constexpr int following_steps = 3;
 
 class ScanFitTarget : public FitTarget {
@@ -27,13 +24,11 @@ class ScanFitTarget : public FitTarget {
         kernels_(&model::kernels(model::best_isa())),
         faces_(&plan.faces(stage)),
         follower_(plan, stage, *scan_, rims_of(plan, stage)),
-        term_(std::make_shared<ScanTerm>(plan, stage)) {}
+        term_(std::make_shared<PullTerm>(plan, stage)) {}
 
   void match(const double* nets, const FitRound& round) override;
   model::WeightedNetTerm term() const override { return {term_, 1.0}; }
-  std::string name() const override { return "scan"; }
-  double distance() const override { return distance_; }
-  double misfit() const override { return misfit_; }
+  std::optional<TargetFit> fit() const override { return target_fit(follower_.distances()); }
 
  private:
   std::shared_ptr<const model::Scan> scan_;
@@ -42,18 +37,14 @@ class ScanFitTarget : public FitTarget {
   const model::Kernels* kernels_;
   const std::vector<model::Face>* faces_;
   ScanFollower follower_;
-  std::shared_ptr<ScanTerm> term_;
-  int rounds_ = 0;
-  double distance_ = 0.0, misfit_ = 0.0;
+  std::shared_ptr<PullTerm> term_;
 };
 
 void ScanFitTarget::match(const double* nets, const FitRound& round) {
-  const bool anew = rounds_++ % rounds_per_search == 0;
+  const bool anew = round.search_anew || follower_.distances().empty();
   if (anew) follower_.start(matcher_.match(nets));
   std::vector<FaceMoments> moments =
       follower_.follow(nets, round.reach, anew ? 0 : following_steps);
-  misfit_ = trimmed_rms(follower_.distances(), heeded_share);
-  distance_ = quantile(follower_.distances(), 0.5);
   std::vector<Match> rim_matches;
   std::vector<MatchPull> rim_pulls;
   puller_.append(nets, round.reach.rim, round.rims * double(scan_->points.size()), rim_matches,
@@ -65,14 +56,16 @@ void ScanFitTarget::match(const double* nets, const FitRound& round) {
 }  // namespace
 
 FitTargetMaker scan_fit_target(const model::Scan& scan, const model::Pose& pose,
-                               std::size_t coarse_points, std::size_t fine_points) {
+                               const ScanFitOptions& options) {
   if (scan.points.empty()) throw std::invalid_argument("the scan has no points");
   if (scan.normals.size() != scan.points.size())
     throw std::invalid_argument("the scan has no normals; estimate them first");
-  if (coarse_points < 1 || fine_points < 1)
-    throw std::invalid_argument("numbers of points of a fit must be positive");
-  const auto coarse = std::make_shared<model::Scan>(folded_scan(scan, pose, coarse_points));
-  const auto fine = std::make_shared<model::Scan>(folded_scan(scan, pose, fine_points));
+  if (options.coarse_points < 1 || options.fine_points < 1)
+    throw std::invalid_argument("coarse_points and fine_points must be positive");
+  const auto coarse =
+      std::make_shared<model::Scan>(folded_scan(scan, pose, options.coarse_points).scan);
+  const auto fine =
+      std::make_shared<model::Scan>(folded_scan(scan, pose, options.fine_points).scan);
   return [coarse, fine](const model::BodyPlan& plan, model::Stage stage, FitDetail detail) {
     return std::make_unique<ScanFitTarget>(plan, stage,
                                            detail == FitDetail::coarse ? coarse : fine);

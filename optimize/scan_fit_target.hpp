@@ -5,11 +5,15 @@
 
 namespace bodyline::optimize {
 
-/// A scan as a target of a fit: its points are `coarse_points` or `fine_points`, its right half is
-/// mirrored to the left. Its weight is 1: mean squared mm of its points, with `FitRound::rims` of
-/// them for the body's rims. Throws std::invalid_argument when the scan has no points or no
-/// normals.
+/// How many points of a scan a fit looks at, in its coarse phases and in its fine one.
+struct ScanFitOptions {
+  std::size_t coarse_points = 15000, fine_points = 60000;
+};
+
+/// A scan as a target of a fit, its right half mirrored to the left. Its weight is 1: mean squared
+/// mm of its points, with `FitRound::rims` of them for the body's rims. Throws
+/// std::invalid_argument when the scan has no points or no normals, or the options ask for none.
 FitTargetMaker scan_fit_target(const model::Scan& scan, const model::Pose& pose,
-                               std::size_t coarse_points, std::size_t fine_points);
+                               const ScanFitOptions& options = {});
 
 }  // namespace bodyline::optimize

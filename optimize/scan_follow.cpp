@@ -5,44 +5,42 @@
 
 #include <algorithm>
 
+#include "optimize/foot_columns.hpp"
+
 namespace bodyline::optimize {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr int chunk = 1024;  // points of one task, a multiple of the kernels' 8; the sums' order
 
-// Neighbours on one face, coordinates side by side: x y z, normal x y z, u v.
+// Between the normals of the body and of the scan, for a rim to be drawn out.
+constexpr double least_rim_cosine = 0.7;
+
+// Neighbours on one face.
 struct Block {
+  enum Column { position = 0, scan_normal = 3, u = 6, v = 7, width = 8 };
+
   int face = -1, count = 0;
   std::size_t first = 0;  // in the order of distances
-  std::vector<double> numbers;
-
-  std::size_t padded() const { return std::size_t(count + 7) / 8 * 8; }
-  double* column(int k) { return numbers.data() + k * padded(); }
+  Columns columns;
 };
-enum Column { position = 0, scan_normal = 3, parameter = 6, columns = 8 };
 
 // What is found at the points of a block and forgotten after it.
 struct Scratch {
-  Scratch() : numbers(std::size_t(16) * chunk) {}
-  double* column(int k) { return numbers.data() + std::size_t(k) * chunk; }
-  std::vector<double> numbers;
-};
-enum ScratchColumn { foot = 0, body_normal = 3, weight = 6, weighted_target = 12, distance = 15 };
+  enum Column { foot = 0, normal = 3, weight = 6, weighted_target = 12, distance = 15, width = 16 };
 
-void set_vector(Block& block, int column, int k, const Vector3d& value) {
-  for (int c = 0; c < 3; ++c) block.column(column + c)[k] = value[c];
-}
+  Columns columns{width, chunk};
+};
 
 model::FootPointArrays foot_arrays(Block& block, Scratch& scratch) {
   model::FootPointArrays a;
   a.count = block.count;
-  a.x = block.column(position), a.y = block.column(position + 1), a.z = block.column(position + 2);
-  a.u = block.column(parameter), a.v = block.column(parameter + 1);
+  a.x = block.columns[Block::position];
+  a.y = block.columns[Block::position + 1];
+  a.z = block.columns[Block::position + 2];
+  a.u = block.columns[Block::u], a.v = block.columns[Block::v];
   for (int c = 0; c < 3; ++c) {
-    a.foot[c] = scratch.column(foot + c);
-    a.normal[c] = scratch.column(body_normal + c);
+    a.foot[c] = scratch.columns[Scratch::foot + c];
+    a.normal[c] = scratch.columns[Scratch::normal + c];
   }
   return a;
 }
@@ -50,9 +48,9 @@ model::FootPointArrays foot_arrays(Block& block, Scratch& scratch) {
 model::PullArrays pull_arrays(Block& block, Scratch& scratch) {
   model::PullArrays a;
   a.count = block.count;
-  a.u = block.column(parameter), a.v = block.column(parameter + 1);
-  for (int e = 0; e < 6; ++e) a.weight[e] = scratch.column(weight + e);
-  for (int c = 0; c < 3; ++c) a.weighted_target[c] = scratch.column(weighted_target + c);
+  a.u = block.columns[Block::u], a.v = block.columns[Block::v];
+  for (int e = 0; e < 6; ++e) a.weight[e] = scratch.columns[Scratch::weight + e];
+  for (int c = 0; c < 3; ++c) a.weighted_target[c] = scratch.columns[Scratch::weighted_target + c];
   return a;
 }
 
@@ -88,7 +86,7 @@ void ScanFollower::start(const std::vector<Match>& matches) {
   for (int f = 0; f < int(of_face.size()); ++f) {
     for (int begin = 0; begin < int(of_face[f].size()); begin += chunk) {
       const int count = std::min(chunk, int(of_face[f].size()) - begin);
-      s.blocks.push_back({f, count, first, {}});
+      s.blocks.push_back({f, count, first, Columns(0, 0)});
       members.push_back(of_face[f].data() + begin);
       first += std::size_t(count);
     }
@@ -96,13 +94,14 @@ void ScanFollower::start(const std::vector<Match>& matches) {
   s.distances.resize(first);
   tbb::parallel_for(std::size_t(0), s.blocks.size(), [&](std::size_t b) {
     Block& block = s.blocks[b];
-    block.numbers.assign(std::size_t(columns) * block.padded(), 0.0);
+    block.columns = Columns(Block::width, block.count);
     for (int k = 0; k < block.count; ++k) {
       const int at = members[b][k];
-      set_vector(block, position, k, s.scan->points[at]);
-      if (!s.scan->normals.empty()) set_vector(block, scan_normal, k, s.scan->normals[at]);
-      block.column(parameter)[k] = matches[at].u;
-      block.column(parameter + 1)[k] = matches[at].v;
+      block.columns.set_vector(Block::position, k, s.scan->points[at]);
+      if (!s.scan->normals.empty())
+        block.columns.set_vector(Block::scan_normal, k, s.scan->normals[at]);
+      block.columns[Block::u][k] = matches[at].u;
+      block.columns[Block::v][k] = matches[at].v;
     }
   });
 }
@@ -110,11 +109,12 @@ void ScanFollower::start(const std::vector<Match>& matches) {
 model::PullRule ScanFollower::State::rule(Block& block, const PullReach& reach) const {
   model::PullRule rule;
   if (!scan->normals.empty())
-    for (int c = 0; c < 3; ++c) rule.scan_normal[c] = block.column(scan_normal + c);
+    for (int c = 0; c < 3; ++c) rule.scan_normal[c] = block.columns[Block::scan_normal + c];
   rule.inward = (*faces)[block.face].inward;
   std::copy(rims[block.face].begin(), rims[block.face].end(), rule.rims);
   rule.normal_reach = reach.normal;
   rule.rim_reach = reach.rim;
+  rule.least_rim_cosine = least_rim_cosine;
   return rule;
 }
 
@@ -126,9 +126,9 @@ FaceMoments ScanFollower::State::pull(Block& block, const double* nets, const Pu
   const model::FootPointArrays feet = foot_arrays(block, own);
   kernels->foot_points(face.degree_u, face.degree_v, nets + 3 * face.net, blend, steps, feet);
   const model::PullArrays pulls = pull_arrays(block, own);
-  const model::PullSums sums =
-      kernels->pulls(feet, rule(block, reach), pulls, own.column(distance));
-  std::copy_n(own.column(distance), block.count, distances.data() + block.first);
+  double* const found = own.columns[Scratch::distance];
+  const model::PullSums sums = kernels->pulls(feet, rule(block, reach), pulls, found);
+  std::copy_n(found, block.count, distances.data() + block.first);
   FaceMoments moments(face, block.face);
   if (!blend) moments.add(*kernels, face, pulls, sums);
   return moments;

@@ -6,9 +6,9 @@
 
 #include "model/body_plan.hpp"
 #include "model/scan.hpp"
-#include "optimize/robust_pulls.hpp"
+#include "optimize/pull_moments.hpp"
+#include "optimize/pull_reach.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_moments.hpp"
 
 namespace bodyline::optimize {
 

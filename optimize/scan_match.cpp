@@ -7,7 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "optimize/scan_tree.hpp"
+#include "optimize/foot_columns.hpp"
+#include "optimize/oriented_tree.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -18,7 +19,7 @@ constexpr int chunk = 512;  // points for one task, a multiple of the kernels' 8
 
 // Samples of all faces, to be searched.
 struct FaceSamples {
-  std::vector<SearchTree::Key> keys;
+  std::vector<OrientedTree::Key> keys;
   std::vector<int> face;
   std::vector<std::array<double, 2>> parameters;
 };
@@ -28,37 +29,6 @@ struct Try {
   int point, face;
   double u, v;
 };
-
-// Coordinates side by side, as the kernel takes them.
-struct Columns {
-  explicit Columns(int count)
-      : numbers(std::size_t(11) * padded(count), 0.0), length(padded(count)) {}
-  static int padded(int count) { return (count + 7) / 8 * 8; }
-  double* operator[](int k) { return numbers.data() + std::size_t(k) * length; }
-  std::vector<double> numbers;
-  int length;
-};
-
-model::FootPointArrays arrays(Columns& columns, int count) {
-  model::FootPointArrays a;
-  a.count = count;
-  a.x = columns[0], a.y = columns[1], a.z = columns[2];
-  a.u = columns[3], a.v = columns[4];
-  for (int c = 0; c < 3; ++c) a.foot[c] = columns[5 + c], a.normal[c] = columns[8 + c];
-  return a;
-}
-
-}  // namespace
-
-ScanMatcher::ScanMatcher(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan,
-                         const MatchOptions& options, model::Isa isa)
-    : plan_(&plan),
-      stage_(stage),
-      scan_(&scan),
-      options_(options),
-      kernels_(&model::kernels(isa)) {}
-
-namespace {
 
 // Samples of a face along u or v, by the longest polygon of its net.
 int sample_count(const model::Face& face, const double* net, bool along_u, double spacing) {
@@ -89,19 +59,19 @@ FaceSamples sample_faces(const model::BodyPlan& plan, model::Stage stage, const 
     const double* const net = nets + 3 * face.net;
     const int n_u = sample_count(face, net, true, options.spacing);
     const int n = sample_count(face, net, false, options.spacing), count = n_u * n;
-    Columns columns(count);
+    FootColumns columns(count);
     for (int k = 0; k < count; ++k) {
-      columns[3][k] = (k / n + 0.5) / n_u;
-      columns[4][k] = (k % n + 0.5) / n;
+      columns.u(k) = (k / n + 0.5) / n_u;
+      columns.v(k) = (k % n + 0.5) / n;
     }
     const double* const blend = face.blend < 0 ? nullptr : nets + 3 * face.blend;
-    kernels.foot_points(face.degree_u, face.degree_v, net, blend, 0, arrays(columns, count));
-    const double scale = with_normals ? (face.inward ? -1.0 : 1.0) * options.normal_length : 0.0;
+    kernels.foot_points(face.degree_u, face.degree_v, net, blend, 0, columns.arrays());
+    const double sign = !with_normals ? 0.0 : face.inward ? -1.0 : 1.0;
     for (int k = 0; k < count; ++k) {
-      samples.keys.push_back({columns[5][k], columns[6][k], columns[7][k], scale * columns[8][k],
-                              scale * columns[9][k], scale * columns[10][k]});
+      samples.keys.push_back(
+          OrientedTree::key(columns.foot(k), sign * columns.normal(k), options.normal_length));
       samples.face.push_back(f);
-      samples.parameters.push_back({columns[3][k], columns[4][k]});
+      samples.parameters.push_back({columns.u(k), columns.v(k)});
     }
   }
   return samples;
@@ -111,7 +81,7 @@ FaceSamples sample_faces(const model::BodyPlan& plan, model::Stage stage, const 
 // fewer are near.
 std::vector<Try> choose_tries(const FaceSamples& samples, const model::Scan& scan,
                               const MatchOptions& options) {
-  const SearchTree tree(samples.keys);
+  const OrientedTree tree(samples.keys);
   const int per_point = options.candidates;
   std::vector<Try> tries(scan.points.size() * per_point);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scan.points.size(), chunk), [&](auto range) {
@@ -119,7 +89,7 @@ std::vector<Try> choose_tries(const FaceSamples& samples, const model::Scan& sca
     for (std::size_t p = range.begin(); p < range.end(); ++p) {
       const Vector3d normal = scan.normals.empty() ? Vector3d(Vector3d::Zero()) : scan.normals[p];
       const std::size_t near =
-          tree.nearest(SearchTree::key(scan.points[p], normal, options.normal_length), index);
+          tree.nearest(OrientedTree::key(scan.points[p], normal, options.normal_length), index);
       Try* const own = tries.data() + p * per_point;
       int taken = 0;
       for (std::size_t k = 0; k < near && taken < per_point; ++k) {
@@ -135,68 +105,96 @@ std::vector<Try> choose_tries(const FaceSamples& samples, const model::Scan& sca
   return tries;
 }
 
+// Tries that go through a kernel together: neighbours on one face.
 struct Task {
-  int face, begin, end;
+  int face = -1;
+  std::vector<int> tries;
 };
+
+std::vector<Task> tasks_of(const std::vector<Try>& tries, std::size_t face_count) {
+  std::vector<std::vector<int>> of_face(face_count);
+  for (int t = 0; t < int(tries.size()); ++t) of_face[tries[t].face].push_back(t);
+  std::vector<Task> tasks;
+  for (int f = 0; f < int(face_count); ++f) {
+    for (std::size_t begin = 0; begin < of_face[f].size(); begin += chunk) {
+      const auto first = of_face[f].begin() + std::ptrdiff_t(begin);
+      const std::size_t count = std::min<std::size_t>(chunk, of_face[f].size() - begin);
+      tasks.push_back({f, {first, first + std::ptrdiff_t(count)}});
+    }
+  }
+  return tasks;
+}
+
+// Newton's method for the tries of a task; results are by try, without distances.
+void find_feet(const Task& task, const std::vector<Try>& tries, const model::Scan& scan,
+               const model::Face& face, const double* nets, const model::Kernels& kernels,
+               int steps, std::vector<Match>& results) {
+  const int count = int(task.tries.size());
+  FootColumns columns(count);
+  for (int k = 0; k < count; ++k) {
+    const Try& one = tries[task.tries[k]];
+    columns.set_point(k, scan.points[one.point]);
+    columns.u(k) = one.u;
+    columns.v(k) = one.v;
+  }
+  const double* const blend = face.blend < 0 ? nullptr : nets + 3 * face.blend;
+  kernels.foot_points(face.degree_u, face.degree_v, nets + 3 * face.net, blend, steps,
+                      columns.arrays());
+  const double sign = face.inward ? -1.0 : 1.0;
+  for (int k = 0; k < count; ++k) {
+    Match& match = results[task.tries[k]];
+    match.face = task.face;
+    match.u = columns.u(k);
+    match.v = columns.v(k);
+    match.foot = columns.foot(k);
+    match.normal = sign * columns.normal(k);
+  }
+}
+
+// The best of a point's tries: faces turned like the scan first, then the nearest.
+Match best_of(const Match* tries, const Vector3d& point, const Vector3d* normal,
+              const MatchOptions& options) {
+  Match best = tries[0];
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < options.candidates; ++k) {
+    double measure = (point - tries[k].foot).norm();
+    if (normal && tries[k].normal.dot(*normal) < options.least_cosine)
+      measure += options.normal_length;
+    if (!(measure < least)) continue;
+    least = measure;
+    best = tries[k];
+  }
+  const Vector3d offset = point - best.foot;
+  const double length = offset.norm();
+  best.distance = offset.dot(best.normal) < 0.0 ? -length : length;
+  return best;
+}
 
 }  // namespace
 
+ScanMatcher::ScanMatcher(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan,
+                         const MatchOptions& options, model::Isa isa)
+    : plan_(&plan),
+      stage_(stage),
+      scan_(&scan),
+      options_(options),
+      kernels_(&model::kernels(isa)) {}
+
 std::vector<Match> ScanMatcher::match(const double* nets) const {
   const bool with_normals = !scan_->normals.empty();
+  const std::vector<model::Face>& faces = plan_->faces(stage_);
   const FaceSamples samples = sample_faces(*plan_, stage_, nets, *kernels_, options_, with_normals);
   const std::vector<Try> tries = choose_tries(samples, *scan_, options_);
-
-  // Tries by face, and tasks of neighbours of the same face.
-  const std::vector<model::Face>& faces = plan_->faces(stage_);
-  std::vector<std::vector<int>> of_face(faces.size());
-  for (int t = 0; t < int(tries.size()); ++t) of_face[tries[t].face].push_back(t);
-  std::vector<Task> tasks;
-  for (int f = 0; f < int(faces.size()); ++f) {
-    for (int begin = 0; begin < int(of_face[f].size()); begin += chunk)
-      tasks.push_back({f, begin, std::min(begin + chunk, int(of_face[f].size()))});
-  }
+  const std::vector<Task> tasks = tasks_of(tries, faces.size());
   std::vector<Match> results(tries.size());
   tbb::parallel_for(std::size_t(0), tasks.size(), [&](std::size_t k) {
-    const auto [f, begin, end] = tasks[k];
-    Columns columns(end - begin);
-    for (int t = begin; t < end; ++t) {
-      const Try& one = tries[of_face[f][t]];
-      for (int c = 0; c < 3; ++c) columns[c][t - begin] = scan_->points[one.point][c];
-      columns[3][t - begin] = one.u;
-      columns[4][t - begin] = one.v;
-    }
-    const double* const blend = faces[f].blend < 0 ? nullptr : nets + 3 * faces[f].blend;
-    kernels_->foot_points(faces[f].degree_u, faces[f].degree_v, nets + 3 * faces[f].net, blend,
-                          options_.steps, arrays(columns, end - begin));
-    const double sign = faces[f].inward ? -1.0 : 1.0;
-    for (int t = begin; t < end; ++t) {
-      const int at = t - begin;
-      Match& match = results[of_face[f][t]];
-      match.face = f;
-      match.u = columns[3][at];
-      match.v = columns[4][at];
-      match.foot = {columns[5][at], columns[6][at], columns[7][at]};
-      match.normal = sign * Vector3d(columns[8][at], columns[9][at], columns[10][at]);
-    }
+    find_feet(tasks[k], tries, *scan_, faces[tasks[k].face], nets, *kernels_, options_.steps,
+              results);
   });
-
-  // The best of each point's tries: faces turned like the scan first, then the nearest.
   std::vector<Match> best(scan_->points.size());
   tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t p) {
-    double least = std::numeric_limits<double>::infinity();
-    best[p] = results[p * options_.candidates];
-    for (int k = 0; k < options_.candidates; ++k) {
-      const Match& one = results[p * options_.candidates + k];
-      double measure = (scan_->points[p] - one.foot).norm();
-      if (with_normals && one.normal.dot(scan_->normals[p]) < options_.least_cosine)
-        measure += options_.normal_length;
-      if (!(measure < least)) continue;
-      least = measure;
-      best[p] = one;
-    }
-    const Vector3d offset = scan_->points[p] - best[p].foot;
-    const double length = offset.norm();
-    best[p].distance = offset.dot(best[p].normal) < 0.0 ? -length : length;
+    best[p] = best_of(&results[p * options_.candidates], scan_->points[p],
+                      with_normals ? &scan_->normals[p] : nullptr, options_);
   });
   return best;
 }

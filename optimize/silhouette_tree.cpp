@@ -7,8 +7,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::vector<SearchTree::Key> keys_of(const std::vector<model::SilhouetteCurve>& pieces) {
-  std::vector<SearchTree::Key> keys;
+std::vector<OrientedTree::Key> keys_of(const std::vector<model::SilhouetteCurve>& pieces) {
+  std::vector<OrientedTree::Key> keys;
   for (const model::SilhouetteCurve& piece : pieces) {
     for (const model::SilhouettePoint& point : piece.points)
       keys.push_back(outline_key(point.picture, point.normal));
@@ -33,9 +33,9 @@ SilhouetteTree::SilhouetteTree(const model::SilhouetteBody& body, model::View vi
 }
 
 SilhouetteFoot SilhouetteTree::nearest(const Vector2d& point, const Vector2d& normal) const {
-  std::size_t found[1];
-  if (tree_.nearest(outline_key(point, normal), found) == 0) return {};
-  return refined(places_[found[0]][0], places_[found[0]][1], point);
+  const std::optional<std::size_t> key = tree_.nearest_one(outline_key(point, normal));
+  if (!key) return {};
+  return refined(places_[*key][0], places_[*key][1], point);
 }
 
 // Normals help to find the part of the silhouette; from there the foot is where the distance is

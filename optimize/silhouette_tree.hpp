@@ -30,7 +30,7 @@ class SilhouetteTree {
   model::View view_;
   const std::vector<model::SilhouetteCurve>* pieces_;
   std::vector<std::array<int, 2>> places_;  // piece and index of the tree's keys
-  SearchTree tree_;
+  OrientedTree tree_;
 };
 
 }  // namespace bodyline::optimize

@@ -17,23 +17,9 @@ constexpr double largest_noise = 1000.0, most_outliers = 0.9;
 constexpr double box_growth = 1.2;
 // Radii of empty balls as parts of the body's diagonal: some 15 to 50 cm on a car.
 constexpr double smallest_hole = 0.03, largest_hole = 0.1;
-constexpr double rotation_tolerance = 1e-9;  // rounding of nine given numbers, far below a thread
 
 bool is_between(double value, double lower, double upper) {
   return value >= lower && value <= upper;  // NaN is not
-}
-
-void check_pose(const model::Pose& pose) {
-  const Eigen::Matrix3d square = pose.rotation.transpose() * pose.rotation;
-  if (!square.isIdentity(rotation_tolerance) || pose.rotation.determinant() < 0.0) {
-    throw std::invalid_argument("the rotation of the pose is not a rotation");
-  }
-  if (!pose.translation.allFinite()) {
-    throw std::invalid_argument("the translation of the pose is not finite");
-  }
-  if (!std::isfinite(pose.scale) || pose.scale <= 0.0) {
-    throw std::invalid_argument("the scale of the pose must be greater than 0");
-  }
 }
 
 void check_options(const SimulateOptions& options) {
@@ -47,7 +33,7 @@ void check_options(const SimulateOptions& options) {
   if (!is_between(options.outliers, 0.0, most_outliers)) {
     throw std::invalid_argument("the part of outliers must be from 0 to 0.9");
   }
-  check_pose(options.pose);
+  model::check_pose(options.pose);
 }
 
 Vector3d normal_vector(model::Random& random) {
@@ -120,13 +106,9 @@ void remove_missing(model::Scan& scan, Missing missing, model::Random& random) {
   }
 }
 
-// x_scan = rotation^T (x_model - translation) / scale
 void take_to_scan(model::Scan& scan, const model::Pose& pose) {
-  const Eigen::Matrix3d inverse = pose.rotation.transpose();
-  for (Vector3d& point : scan.points) {
-    point = (inverse * (point - pose.translation) / pose.scale).eval();
-  }
-  for (Vector3d& normal : scan.normals) normal = (inverse * normal).eval();
+  for (Vector3d& point : scan.points) point = model::to_scan(pose, point);
+  for (Vector3d& normal : scan.normals) normal = (pose.rotation.transpose() * normal).eval();
 }
 
 }  // namespace

@@ -13,10 +13,6 @@ class StrainTarget : public FitTarget {
     if (!term_) term_ = std::make_shared<model::Strain>(*plan_, nets);
   }
   model::WeightedNetTerm term() const override { return {term_, weight_}; }
-  std::string name() const override { return "strain"; }
-  // No distance: it is not what a body is judged by.
-  double distance() const override { return 0.0; }
-  double misfit() const override { return 0.0; }
 
  private:
   const model::BodyPlan* plan_;

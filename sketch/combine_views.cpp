@@ -3,72 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sketch/join_lines.hpp"
+#include "sketch/view_line.hpp"
 
 namespace bodyline::sketch {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using model::View;
 
 constexpr int planes = 60;
 
-/// A drawing of a line in one view.
-struct ViewLine {
-  View view = View::side;
-  std::vector<Vector2d> points;
-  double length = 0.0;
-};
-
-// The factors that give a coordinate of space from a view's picture; zero where it is not shown.
-Vector2d shown(View view, int axis) {
-  const model::ViewAxes axes = model::view_axes(view);
-  return {axes.right[axis], axes.up[axis]};
-}
-
-double length_of(const std::vector<Vector2d>& points) {
-  double length = 0.0;
-  for (std::size_t k = 1; k < points.size(); ++k) length += (points[k] - points[k - 1]).norm();
-  return length;
-}
-
-// The left half of a drawing that passes through the plane of symmetry.
-std::vector<Vector2d> left_half(View view, const std::vector<Vector2d>& points) {
-  const Vector2d y = shown(view, 1);
-  std::vector<Vector2d> half;
-  if (y.isZero()) {
-    // Seen from the side both halves coincide: the drawing may run there and back.
-    const auto farthest =
-        std::max_element(points.begin(), points.end(), [&](const Vector2d& a, const Vector2d& b) {
-          return (a - points.front()).norm() < (b - points.front()).norm();
-        });
-    half.assign(points.begin(), farthest + 1);
-    return half;
-  }
-  const auto left = [&y](const Vector2d& point) { return y.dot(point) <= 0.0; };
-  const auto left_count = std::count_if(points.begin(), points.end(), left);
-  const bool mirror = 3 * left_count < std::ptrdiff_t(points.size());  // the right half is drawn
-  for (const Vector2d& point : points) {
-    if (left(point) == mirror) continue;
-    half.push_back(mirror ? Vector2d(point - 2.0 * y.dot(point) * y) : point);
-  }
-  return half;
-}
-
-std::vector<ViewLine> view_lines(std::span<const SketchLine> lines, bool central) {
-  std::vector<ViewLine> found;
-  for (const View view : model::all_views()) {
-    ViewLine line{view, join_lines(lines, view), 0.0};
-    if (central && !line.points.empty()) line.points = left_half(view, line.points);
-    line.length = length_of(line.points);
-    if (line.points.size() > 1 && line.length > 0.0) found.push_back(std::move(line));
-  }
-  return found;
-}
-
 double advance_along(const ViewLine& line, int axis) {
-  const Vector2d factors = shown(line.view, axis);
+  const Vector2d factors = shown_axis(line.view, axis);
   return std::abs(factors.dot(line.points.back() - line.points.front())) / line.length;
 }
 
@@ -95,7 +41,7 @@ std::optional<std::array<double, 2>> overlap(const std::array<double, 2>& a,
 }
 
 std::optional<CombinedLine> combined(const ViewLine& p, ViewLine q, int axis, double advance) {
-  const Vector2d in_p = shown(p.view, axis), in_q = shown(q.view, axis);
+  const Vector2d in_p = shown_axis(p.view, axis), in_q = shown_axis(q.view, axis);
   const auto ends = [](const ViewLine& line, const Vector2d& factors) {
     return std::array{factors.dot(line.points.front()), factors.dot(line.points.back())};
   };
@@ -115,8 +61,8 @@ std::optional<CombinedLine> combined(const ViewLine& p, ViewLine q, int axis, do
     const Vector2d on_p = meet(p, in_p, at, from_p), on_q = meet(q, in_q, at, from_q);
     Vector3d point;
     for (int other = 0; other < 3; ++other) {
-      const Vector2d factors = shown(p.view, other);
-      point[other] = factors.isZero() ? shown(q.view, other).dot(on_q) : factors.dot(on_p);
+      const Vector2d factors = shown_axis(p.view, other);
+      point[other] = factors.isZero() ? shown_axis(q.view, other).dot(on_q) : factors.dot(on_p);
     }
     point[axis] = at;
     line.points.push_back(point);
@@ -142,13 +88,8 @@ std::optional<CombinedLine> combine_views(std::span<const SketchLine> lines, boo
   std::optional<CombinedLine> best;
   for (std::size_t p = 0; p < drawn.size(); ++p) {
     for (std::size_t q = p + 1; q < drawn.size(); ++q) {
-      int axis = -1, shared = 0;
-      for (int k = 0; k < 3; ++k) {
-        if (shown(drawn[p].view, k).isZero() || shown(drawn[q].view, k).isZero()) continue;
-        axis = k;
-        ++shared;
-      }
-      if (shared != 1) continue;  // front and rear share two axes and lack the third
+      const int axis = shared_axis(drawn[p].view, drawn[q].view);
+      if (axis < 0) continue;
       const double advance = std::min(advance_along(drawn[p], axis), advance_along(drawn[q], axis));
       if (advance < std::max(least_advance, best ? best->advance : 0.0)) continue;
       if (auto found = combined(drawn[p], drawn[q], axis, advance)) best = std::move(found);

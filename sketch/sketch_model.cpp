@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "sketch/axis_map.hpp"
 #include "sketch/combine_views.hpp"
+#include "sketch/contradictions.hpp"
 #include "sketch/curve_unknowns.hpp"
 #include "sketch/first_curve.hpp"
 #include "sketch/fit_lines.hpp"
@@ -17,25 +17,24 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-// Ends of two drawings may differ by this part of the line's length, since lines are drawn too far
-// or not far enough.
-constexpr double careless_ends = 0.06;
-
 std::vector<SketchLine> lines_of(const std::vector<Stroke>& strokes) {
   std::vector<SketchLine> lines;
   for (const Stroke& stroke : strokes) lines.push_back(sketch_line(stroke));
   return lines;
 }
 
+std::vector<SketchLine> lines_of_curve(const std::vector<SketchLine>& lines, int curve) {
+  std::vector<SketchLine> own;
+  for (const SketchLine& line : lines)
+    if (line.curve == curve) own.push_back(line);
+  return own;
+}
+
 std::vector<std::optional<CombinedLine>> combine_all(const model::Model& model,
                                                      const std::vector<SketchLine>& lines) {
   std::vector<std::optional<CombinedLine>> combined;
-  for (std::size_t c = 0; c < model.curves.size(); ++c) {
-    std::vector<SketchLine> own;
-    for (const SketchLine& line : lines)
-      if (line.curve == int(c)) own.push_back(line);
-    combined.push_back(combine_views(own, is_central(model.curves[c])));
-  }
+  for (std::size_t c = 0; c < model.curves.size(); ++c)
+    combined.push_back(combine_views(lines_of_curve(lines, int(c)), is_central(model.curves[c])));
   return combined;
 }
 
@@ -71,27 +70,6 @@ FitLinesStart start_of(const model::Model& model, const CurveUnknowns& unknowns,
   }
   start.unknowns = unknowns.means(near, weights);
   return start;
-}
-
-std::string sentence(const std::string& begin, double distance, const std::string& end) {
-  std::ostringstream text;
-  text.precision(0);
-  text << std::fixed << begin << distance << end;
-  return text.str();
-}
-
-void add_contradictions(CurveReport& report, double length, const SketchOptions& options) {
-  for (const CurveView& view : report.views)
-    if (view.p90 > options.tolerance)
-      report.contradictions.push_back(
-          sentence("a tenth of the line drawn in the view " + model::view_name(view.view) + " is ",
-                   view.p90, " mm and more away from the curve that meets all views best"));
-  const double allowed = std::max(options.tolerance, careless_ends * length);
-  if (report.source == CurveSource::drawn && report.apart > allowed)
-    report.contradictions.push_back(sentence(
-        "its ends in the views " + model::view_name(report.combined[0]) + " and " +
-            model::view_name(report.combined[1]) + " differ in " + report.axis + " by up to ",
-        report.apart, " mm"));
 }
 
 CurveReport report_on(const model::Curve& curve, const std::optional<CombinedLine>& combined) {
@@ -139,7 +117,10 @@ SketchResult sketch_model(const model::Model& start, std::span<const model::Plac
     report.views.push_back({lines[k].view, line.drawn_speed, line.rms, line.p90});
   }
   for (std::size_t c = 0; c < start.curves.size(); ++c) {
-    add_contradictions(result.curves[c], combined[c] ? combined[c]->length : 0.0, options);
+    const double tolerance = options.tolerance_of(start.curves[c].name);
+    result.curves[c].contradictions = contradictions(
+        result.curves[c], combined[c] ? combined[c]->length : 0.0,
+        view_checks(lines_of_curve(lines, int(c)), is_central(start.curves[c])), tolerance);
     result.model.curves[c].note = note_of(result.curves[c]);
   }
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +14,14 @@ namespace bodyline::sketch {
 
 struct SketchOptions {
   double tolerance = 10.0;  ///< a drawn line of which a tenth is farther from its curve is a
-                            ///< contradiction, mm
+                            ///< contradiction, and so is a place that two views tell and a
+                            ///< third one denies, mm
+  std::map<std::string, double> tolerances;  ///< of curves by name, where they differ, mm
+
+  double tolerance_of(const std::string& curve) const {
+    const auto own = tolerances.find(curve);
+    return own == tolerances.end() ? tolerance : own->second;
+  }
 };
 
 /// One drawing of a curve.

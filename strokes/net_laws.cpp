@@ -114,7 +114,7 @@ double largest_gap(const Net& net, int samples) {
 std::vector<std::string> broken_laws(const Net& net, double whole_area, double gap_mm) {
   std::vector<std::string> broken;
   if (!(std::abs(domain_area(net) - whole_area) <= area_resolution))
-    broken.push_back("the areas of the patches do not sum to that of the domain");
+    broken.emplace_back("the areas of the patches do not sum to that of the domain");
   const auto euler = static_cast<std::ptrdiff_t>(net.vertices.size() + net.patches.size()) -
                      static_cast<std::ptrdiff_t>(net.edges.size());
   if (euler != 1) broken.push_back("V - E + F is " + std::to_string(euler) + ", not 1");

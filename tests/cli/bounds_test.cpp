@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "cli/bounds_options.hpp"
+#include "cli/fit_text.hpp"
 #include "tests/cli/program_run.hpp"
 
 namespace bodyline {
@@ -56,7 +57,64 @@ TEST_F(BoundsOptions, AreKeptAndReported) {
   const auto& length = report.at("dimensions").at("length");
   EXPECT_NEAR(length.at("value").get<double>(), 4760.0, 1.0);
   EXPECT_EQ(length.at("lower"), 4760.0);
+  EXPECT_EQ(length.at("kept"), true);
   EXPECT_LT(report.at("hard_points").at(0).at("distance_mm").get<double>(), -19.0);
+  EXPECT_EQ(report.at("hard_points").at(0).at("kept"), true);
+}
+
+TEST_F(BoundsOptions, WhatIsNotKeptIsAFindingWithItsExitCode) {
+  // Both at once cannot be; in the middle between them nothing folds.
+  const auto run = bodyline({"fit", scan(), "-o", "out.toml", "--pose", "none", "--dimension",
+                             "length=4760", "--dimension", "length=4763", "--json"});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const auto report = nlohmann::json::parse(run.out);
+  EXPECT_EQ(report.at("folded"), nlohmann::json::array());
+  EXPECT_EQ(report.at("dimensions").at("length").at("kept"), false);
+}
+
+TEST(FitFindings, AFitThatFailedOrABoundThatIsNotKept) {
+  cli::FittedCar car;
+  car.result.status = optimize::Status::small_improvement;
+  EXPECT_FALSE(cli::has_findings(car));
+  cli::FittedCar failed = car;
+  failed.result.status = optimize::Status::failed;
+  EXPECT_TRUE(cli::has_findings(failed));
+  cli::FittedCar folded = car;
+  folded.result.folded_faces = {"roof"};
+  EXPECT_TRUE(cli::has_findings(folded));
+  car.bounds_kept.points = {{0.0, true}, {1.0, false}};
+  EXPECT_TRUE(cli::has_findings(car));
+  car.bounds_kept.points.clear();
+  car.bounds_kept.dimensions = {{4000.0, false}};
+  EXPECT_TRUE(cli::has_findings(car));
+}
+
+TEST_F(BoundsOptions, BeyondAKilometreAreRefused) {
+  write("far.csv", "1 2 3 inside\n1e300 0 900 outside\n");
+  EXPECT_THAT(refusal({"--hard-points", "far.csv"}), HasSubstr("far.csv:2: \"1e300\" is beyond"));
+  EXPECT_THAT(refusal({"--dimension", "length=1e300"}), HasSubstr("'length' must lie within 1 km"));
+}
+
+TEST_F(BoundsOptions, WhatIsNoCarIsRefusedWithItsFile) {
+  std::string points;
+  for (int k = 0; k < 2000; ++k)
+    points += std::to_string(k % 50 * 90) + " " + std::to_string(k / 50 * 40) + " 0\n";
+  write("flat.xyz", points);
+  const auto run = bodyline({"fit", "flat.xyz", "-o", "out.toml"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("flat.xyz: the scan is a flat plane, not a car"));
+  EXPECT_THAT(run.err, HasSubstr("--pose"));
+}
+
+TEST_F(BoundsOptions, ALineThatIsTooFarOrTooLongIsRefusedWithItsFile) {
+  write("far.csv", "0 0 0\n0 0 2000000\n");
+  EXPECT_THAT(refusal({"--pose", "none", "--feature", "windshield__roof=far.csv"}),
+              HasSubstr("far.csv: the line of the feature 'windshield__roof' goes beyond 1 km"));
+  std::string to_and_fro;
+  for (int k = 0; k < 2000; ++k) to_and_fro += k % 2 == 0 ? "0 0 0\n" : "0 0 900000\n";
+  write("long.csv", to_and_fro);
+  EXPECT_THAT(refusal({"--pose", "none", "--feature", "windshield__roof=long.csv"}),
+              HasSubstr("long.csv: the line of the feature 'windshield__roof' is too long"));
 }
 
 TEST_F(BoundsOptions, AnUnknownDimensionIsRefusedWithTheNearest) {

@@ -2,13 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "io/read_model.hpp"
 #include "model/evaluator.hpp"
+#include "optimize/bounded_target.hpp"
 #include "optimize/dimension_target.hpp"
-#include "optimize/fit_scan.hpp"
+#include "optimize/fit_body.hpp"
+#include "optimize/fit_phase.hpp"
 #include "optimize/hard_point_target.hpp"
 #include "optimize/net_rows.hpp"
 #include "optimize/scan_fit_target.hpp"
+#include "optimize/scan_match.hpp"
 #include "optimize/simulate_scan.hpp"
 
 namespace bodyline::optimize {
@@ -27,9 +33,10 @@ model::Scan scan_of(const model::Model& car) {
   return simulate_scan(car, scanner);
 }
 
+const ScanFitOptions few_points{4000, 4000};
+
 FitOptions short_fit() {
   FitOptions options;
-  options.coarse_points = options.fine_points = 4000;
   options.warp_rounds = options.curve_rounds = 5;
   options.body_rounds = 12;
   options.unfold_rounds = 0;
@@ -63,7 +70,7 @@ TEST(DimensionTarget, HoldsWhatTheScanWouldHaveOtherwise) {
   const model::Scan scan = scan_of(truth);
   const double length = measured(truth, "length") + 25.0, rake = measured(truth, "rake.windshield");
   const auto fitted = fit_body(
-      {scan_fit_target(scan, {}, 4000, 4000),
+      {scan_fit_target(scan, {}, few_points),
        dimension_target(start,
                         {{"length", length, length}, {"rake.windshield", rake + 1.0, rake + 5.0}})},
       start, short_fit());
@@ -75,11 +82,113 @@ TEST(DimensionTarget, ABoundThatHoldsAnywayChangesNothing) {
   const model::Model start = read_car("template"), truth = read_car("model2");
   const model::Scan scan = scan_of(truth);
   const auto with = fit_body(
-      {scan_fit_target(scan, {}, 4000, 4000), dimension_target(start, {{"height", 100.0, 9000.0}})},
+      {scan_fit_target(scan, {}, few_points), dimension_target(start, {{"height", 100.0, 9000.0}})},
       start, short_fit());
-  const auto without = fit_body({scan_fit_target(scan, {}, 4000, 4000)}, start, short_fit());
+  const auto without = fit_body({scan_fit_target(scan, {}, few_points)}, start, short_fit());
   for (std::size_t c = 0; c < with.model.curves.size(); ++c)
     EXPECT_EQ(with.model.curves[c].points, without.model.curves[c].points);
+}
+
+/// One quantity, the first number of the nets, that should be at least 1; or none at all.
+class FirstNumber : public BoundedTarget {
+ public:
+  FirstNumber(const model::BodyPlan& plan, double factor)
+      : BoundedTarget(plan, model::Stage::base), factor_(factor) {}
+
+ private:
+  std::vector<NetRow> measure(const double*) override {
+    NetRow row;
+    row.slopes = {{0, factor_}};
+    row.lower = 1.0;
+    return {row};
+  }
+  double factor_;
+};
+
+class BoundedTargetLaws : public testing::Test {
+ protected:
+  double value(FirstNumber& target) {
+    return target.term().term->value(nets_.data(), 1.0, nullptr);
+  }
+  model::BodyContext context_{read_car("template")};
+  std::vector<double> nets_ = std::vector<double>(3 * context_.plan.point_count, 0.0);
+};
+
+TEST_F(BoundedTargetLaws, MatchingChangesNothingHoweverOften) {
+  FirstNumber target(context_.plan, 1.0);
+  for (int k = 0; k < 3; ++k) {
+    target.match(nets_.data(), {});
+    EXPECT_EQ(value(target), 1.0);
+    EXPECT_EQ(target.excess(), 1.0);
+  }
+}
+
+TEST_F(BoundedTargetLaws, WhatARoundLeavesOverAddsUp) {
+  FirstNumber target(context_.plan, 1.0);
+  for (const double left_over : {2.0, 3.0, 4.0}) {
+    target.match(nets_.data(), {});
+    target.advance();
+    EXPECT_EQ(value(target), left_over * left_over);
+  }
+}
+
+TEST_F(BoundedTargetLaws, AnExcessThatIsNoNumberIsNotHidden) {
+  FirstNumber target(context_.plan, std::numeric_limits<double>::infinity());
+  target.match(nets_.data(), {});  // 0 times infinity
+  target.advance();
+  EXPECT_TRUE(std::isnan(target.excess()));
+}
+
+TEST(FitPhase, AskingForTheMisfitChangesNoRoundAfterIt) {
+  const model::Model start = read_car("template");
+  const model::Scan scan = scan_of(read_car("model2"));
+  const double length = measured(start, "length") + 40.0;
+  const std::vector<FitTargetMaker> targets{scan_fit_target(scan, {}, few_points),
+                                            dimension_target(start, {{"length", length, length}})};
+  const auto after_rounds = [&](bool asks) {
+    FitPhaseOptions options;
+    options.stage = model::Stage::base;
+    options.vary = {"curve.*"};
+    options.evaluations = 15;
+    FitPhase phase(start, targets, options);
+    FitRound round;
+    round.reach = {100.0, 100.0};
+    for (const bool anew : {true, true}) {
+      round.search_anew = anew;
+      phase.run(round);
+      if (asks) phase.misfit(round);
+    }
+    const model::Model model = phase.model();
+    return model::to_parameters(model, model::ParameterLayout(model));
+  };
+  EXPECT_EQ(after_rounds(true), after_rounds(false));
+}
+
+TEST(FitPhase, TheMisfitOfABodyIsTheSameWhenAskedAgain) {
+  const model::Model start = read_car("template");
+  const double length = measured(start, "length") + 40.0;
+  FitPhaseOptions options;
+  options.stage = model::Stage::base;
+  options.vary = {"curve.*"};
+  options.evaluations = 5;
+  FitPhase phase(start,
+                 {scan_fit_target(scan_of(read_car("model2")), {}, few_points),
+                  dimension_target(start, {{"length", length, length}})},
+                 options);
+  FitRound round;
+  round.reach = {100.0, 100.0};
+  phase.run(round);
+  const double misfit = phase.misfit(round);
+  EXPECT_EQ(phase.misfit(round), misfit);
+  EXPECT_GT(misfit, 0.0);
+}
+
+TEST(DimensionTarget, RefusesBoundsBeyondAKilometre) {
+  const model::Model start = read_car("template");
+  for (const double far : {1.1e6, 1e300, std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(dimension_target(start, {{"length", 1.0, far}}), std::invalid_argument);
+    EXPECT_THROW(dimension_target(start, {{"length", -far, 1.0}}), std::invalid_argument);
+  }
 }
 
 TEST(DimensionTarget, RefusesBoundsInTheWrongOrder) {
@@ -98,11 +207,11 @@ TEST(HardPointTarget, TheSurfacePassesThroughAndKeepsClear) {
     const bool on_door = point.z() > 550.0 && std::abs(point.x() - 2200.0) < 400.0;
     if (on_door && point.y() < side.y()) side = point;
   }
-  const std::vector<HardPoint> points{
-      {high + Eigen::Vector3d(0, 0, 8), HardPointRule::through},
-      {high + Eigen::Vector3d(-500, 0, -5), HardPointRule::inside, 20.0},
-      {side + Eigen::Vector3d(0, 3, 0), HardPointRule::outside, 10.0}};
-  const auto fitted = fit_body({scan_fit_target(scan, {}, 4000, 4000), hard_point_target(points)},
+  const std::vector<model::HardPoint> points{
+      {high + Eigen::Vector3d(0, 0, 8), model::HardPointRule::through},
+      {high + Eigen::Vector3d(-500, 0, -5), model::HardPointRule::inside, 20.0},
+      {side + Eigen::Vector3d(0, 3, 0), model::HardPointRule::outside, 10.0}};
+  const auto fitted = fit_body({scan_fit_target(scan, {}, few_points), hard_point_target(points)},
                                start, short_fit());
   EXPECT_NEAR(distance_from(fitted.model, points[0].point), 0.0, held_mm);
   EXPECT_LT(distance_from(fitted.model, points[1].point), -20.0 + held_mm);
@@ -111,7 +220,10 @@ TEST(HardPointTarget, TheSurfacePassesThroughAndKeepsClear) {
 
 TEST(HardPointTarget, RefusesWhatIsNoPointOrNoMargin) {
   EXPECT_THROW(hard_point_target({{{NAN, 0, 0}}}), std::invalid_argument);
-  EXPECT_THROW(hard_point_target({{{0, 0, 0}, HardPointRule::inside, -1.0}}),
+  EXPECT_THROW(hard_point_target({{{0, -1e300, 0}}}), std::invalid_argument);
+  EXPECT_THROW(hard_point_target({{{0, 0, 0}, model::HardPointRule::inside, 1e300}}),
+               std::invalid_argument);
+  EXPECT_THROW(hard_point_target({{{0, 0, 0}, model::HardPointRule::inside, -1.0}}),
                std::invalid_argument);
 }
 

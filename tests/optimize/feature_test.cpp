@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "model/bernstein.hpp"
 #include "model/build.hpp"
 #include "optimize/feature_curve.hpp"
 #include "optimize/feature_target.hpp"
 #include "optimize/fit_scan.hpp"
+#include "optimize/measure_features.hpp"
 #include "optimize/outline_fit_target.hpp"
 #include "optimize/strain_target.hpp"
 #include "outline_support.hpp"
@@ -137,10 +139,38 @@ TEST_F(FeatureFit, IsMirroredToTheLeft) {
             measure_features(start_, {right})[0].median);
 }
 
+std::string refusal(const FeatureLine& line) {
+  try {
+    tied_line(outline_test_car("template"), line);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(FeatureLine, BeyondAKilometreIsRefused) {
+  const double largest = std::numeric_limits<double>::max();
+  for (const double far : {1.1e6, largest, std::numeric_limits<double>::quiet_NaN()}) {
+    const FeatureLine line{"windshield__roof", std::nullopt, {{{0, 0, 0}, {0, -far, 0}}}};
+    EXPECT_THAT(refusal(line), testing::HasSubstr("'windshield__roof' goes beyond 1 km"));
+  }
+}
+
+TEST(FeatureLine, OfTooManyPointsIsRefusedBeforeTheyAreMade) {
+  // To and fro over a metre: 101 points each.
+  FeatureLine line{"windshield__roof", std::nullopt, {{}}};
+  for (int k = 0; k <= 190; ++k)
+    line.polylines.front().emplace_back(k % 2 == 0 ? 1000.0 : 2000.0, -100.0, 1000.0);
+  EXPECT_EQ(refusal(line), "taken");
+  for (int k = 0; k <= 20; ++k)
+    line.polylines.front().emplace_back(k % 2 == 0 ? 1000.0 : 2000.0, -100.0, 1000.0);
+  EXPECT_THAT(refusal(line), testing::HasSubstr("too many points"));
+}
+
 TEST_F(FeatureFit, NamesTheNearestCurve) {
   const FeatureLine unknown{"windshield_roof", std::nullopt, {{{0, 0, 0}, {1, 0, 0}}}};
   try {
-    check_feature_lines(start_, {unknown});
+    check_feature_curves(start_, {unknown});
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("'windshield__roof'"));

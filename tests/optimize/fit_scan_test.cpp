@@ -70,11 +70,7 @@ SimulateOptions scanner() {
   return options;
 }
 
-FitOptions quick_options() {
-  FitOptions options;
-  options.fine_points = 30000;
-  return options;
-}
+const ScanFitOptions quick{15000, 30000};
 
 Distances from_truth(const model::Model& truth, const model::Model& fitted) {
   SimulateOptions clean;
@@ -86,8 +82,7 @@ Distances from_truth(const model::Model& truth, const model::Model& fitted) {
 
 TEST(FitScan, RecoversAnotherCarFromNoisePointsAndOutliers) {
   const model::Model truth = other_car(1);
-  const FitResult result =
-      fit_scan(simulate_scan(truth, scanner()), {}, start_model(), quick_options());
+  const FitResult result = fit_scan(simulate_scan(truth, scanner()), {}, start_model(), {}, quick);
   const Distances before = from_truth(truth, start_model()),
                   after = from_truth(truth, result.model);
   EXPECT_GT(before.median, 5.0);
@@ -193,8 +188,7 @@ TEST(FitScan, NeedsOneSideOnly) {
   const model::Model truth = other_car(2);
   SimulateOptions one_side = scanner();
   one_side.missing = Missing::left;
-  const FitResult result =
-      fit_scan(simulate_scan(truth, one_side), {}, start_model(), quick_options());
+  const FitResult result = fit_scan(simulate_scan(truth, one_side), {}, start_model(), {}, quick);
   const Distances after = from_truth(truth, result.model);
   EXPECT_LE(after.median, 2.0 * median_tolerance);
   EXPECT_LE(after.p99, 2.0 * most_tolerance);
@@ -202,13 +196,12 @@ TEST(FitScan, NeedsOneSideOnly) {
 
 TEST(FitScan, HasTheSameBitsForAnyNumberOfThreads) {
   const model::Scan scan = simulate_scan(other_car(3), scanner());
-  FitOptions options = quick_options();
-  options.coarse_points = options.fine_points = 5000;
+  FitOptions options;
   options.warp_rounds = options.curve_rounds = options.body_rounds = 2;
   options.unfold_rounds = 0;
   const auto with_threads = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const model::Model fitted = fit_scan(scan, {}, start_model(), options).model;
+    const model::Model fitted = fit_scan(scan, {}, start_model(), options, {5000, 5000}).model;
     return model::to_parameters(fitted, model::ParameterLayout(fitted));
   };
   const Eigen::VectorXd one = with_threads(1);
@@ -218,11 +211,11 @@ TEST(FitScan, HasTheSameBitsForAnyNumberOfThreads) {
 
 TEST(FitScan, StopsWhenAskedWithABodyThatCanBeBuilt) {
   const model::Scan scan = simulate_scan(other_car(4), scanner());
-  FitOptions options = quick_options();
+  FitOptions options;
   std::atomic<int> rounds = 0;
   options.on_progress = [&](const FitProgress&) { ++rounds; };
   options.should_stop = [&] { return rounds >= 3; };
-  const FitResult result = fit_scan(scan, {}, start_model(), options);
+  const FitResult result = fit_scan(scan, {}, start_model(), options, quick);
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(rounds, 3);
   EXPECT_NO_THROW(model::build(result.model, model::Stage::body));

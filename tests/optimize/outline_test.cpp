@@ -171,7 +171,7 @@ class Retraced {
     model::SilhouetteOptions fine;
     fine.spacing = 2.0;
     return match_outline(body, model::silhouette(body, samples.view, fine), samples,
-                         {{endless, endless}, true, false});
+                         {{endless, endless}, false});
   }
 
   int variable(const std::string& name) const {
@@ -264,7 +264,7 @@ TEST_P(OutlineDerivative, IsThatOfTheRetracedSilhouette) {
       slope += change;
       bulk += std::abs(change);
     }
-    ScanTerm term(car.plan(), stage);
+    PullTerm term(car.plan(), stage);
     term.set(held.matches, held.pulls);
     std::vector<double> bar(3 * std::size_t(car.plan().point_count), 0.0);
     term.value(car.evaluator().nets(), 1.0, bar.data());

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "optimize/align_shape.hpp"
+#include "optimize/body_samples.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -60,7 +60,7 @@ Eigen::Matrix3d SampleDraw::rotation() {
 }
 
 Scan sampled(const model::Model& car, int count, double noise_mm, SampleDraw& draw) {
-  const AlignShape shape = align_shape(car, 20.0);
+  const BodySamples shape = body_samples(car, 20.0);
   Scan scan;
   for (int i = 0; i < count; ++i)
     scan.points.push_back(shape.points()[draw.below(shape.points().size())] +

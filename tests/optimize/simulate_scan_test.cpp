@@ -145,8 +145,7 @@ TEST(SimulateScan, ThePoseTakesTheScanToTheModel) {
   const model::Scan plain = simulate_scan(car(), clean());
   ASSERT_EQ(posed.points.size(), points);
   for (std::size_t k = 0; k < points; ++k) {
-    const Vector3d back =
-        options.pose.scale * (options.pose.rotation * posed.points[k]) + options.pose.translation;
+    const Vector3d back = model::to_model(options.pose, posed.points[k]);
     EXPECT_LT((back - plain.points[k]).norm(), 1e-8);  // rounding of some metres
     EXPECT_LT((options.pose.rotation * posed.normals[k] - plain.normals[k]).norm(), 1e-12);
   }

@@ -1,10 +1,10 @@
 // How strongly points of a scan pull at a body: the kernels against one point at a time.
 
-#include "optimize/robust_pulls.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "tests/optimize/robust_pull.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -92,6 +92,7 @@ TEST_P(Pulls, OfManyPointsAreThoseOfOneAtATime) {
     rule.inward = inward;
     std::copy(rims.begin(), rims.end(), rule.rims);
     rule.normal_reach = reach.normal, rule.rim_reach = reach.rim;
+    rule.least_rim_cosine = 0.6;
     model::PullArrays out;
     out.count = count;
     for (int e = 0; e < 6; ++e) out.weight[e] = feet.columns[14 + e].data();
@@ -103,7 +104,8 @@ TEST_P(Pulls, OfManyPointsAreThoseOfOneAtATime) {
     for (int k = 0; k < count; ++k) {
       const Vector3d point = feet.vector(0, k), normal = feet.vector(3, k);
       const Match match = feet.match(k, inward);
-      const MatchPull pull = robust_pull(match, point, normals ? &normal : nullptr, rims, reach);
+      const MatchPull pull = robust_pull(match, point, normals ? &normal : nullptr, rims, reach,
+                                         rule.least_rim_cosine);
       const Eigen::Matrix3d& w = pull.weight;
       const double entries[6] = {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)};
       for (int e = 0; e < 6; ++e) ASSERT_NEAR(out.weight[e][k], entries[e], rounding) << k;

@@ -1,14 +1,11 @@
-#include "optimize/robust_pulls.hpp"
+#include "tests/optimize/robust_pull.hpp"
+
+#include "optimize/geman_mcclure.hpp"
 
 namespace bodyline::optimize {
 namespace {
 
 using Eigen::Vector3d;
-
-double geman_mcclure(double distance, double reach) {
-  const double q = distance / reach, root = 1.0 / (1.0 + q * q);
-  return root * root;
-}
 
 bool on_rim(const Match& match, const std::array<bool, 4>& rims) {
   return (rims[0] && match.u <= 0.0) || (rims[1] && match.u >= 1.0) ||
@@ -18,7 +15,8 @@ bool on_rim(const Match& match, const std::array<bool, 4>& rims) {
 }  // namespace
 
 MatchPull robust_pull(const Match& match, const Vector3d& point, const Vector3d* normal,
-                      const std::array<bool, 4>& rims, const PullReach& reach) {
+                      const std::array<bool, 4>& rims, const PullReach& reach,
+                      double least_rim_cosine) {
   const Vector3d offset = point - match.foot;
   const double off = offset.dot(match.normal);
   const Vector3d along = offset - off * match.normal;
@@ -26,28 +24,17 @@ MatchPull robust_pull(const Match& match, const Vector3d& point, const Vector3d*
   const bool at_rim = on_rim(match, rims);
   const double cosine = normal ? std::max(0.0, match.normal.dot(*normal)) : 1.0;
   // Beside an inner edge the other face has the point; there the whole distance counts.
-  double weight = geman_mcclure(at_rim ? off : match.distance, reach.normal) * cosine * cosine;
+  double weight =
+      geman_mcclure(at_rim ? off * off : offset.squaredNorm(), reach.normal) * cosine * cosine;
   Eigen::Matrix3d pull = match.normal * match.normal.transpose();
   const bool at_end = (match.u <= 0.0 || match.u >= 1.0) && (match.v <= 0.0 || match.v >= 1.0);
   if (at_rim && at_end) weight = 0.0;
   if (at_rim && beyond > 0.0) {
-    weight *= geman_mcclure(beyond, reach.rim);
-    if (cosine < model::least_rim_cosine) weight = 0.0;
+    weight *= geman_mcclure(beyond * beyond, reach.rim);
+    if (cosine < least_rim_cosine) weight = 0.0;
     pull += along * along.transpose() / (beyond * beyond);
   }
   return {point, weight * pull};
-}
-
-std::vector<MatchPull> robust_pulls(const std::vector<Match>& matches, const model::Scan& scan,
-                                    const std::vector<std::array<bool, 4>>& rims,
-                                    const PullReach& reach) {
-  std::vector<MatchPull> pulls;
-  pulls.reserve(matches.size());
-  for (std::size_t k = 0; k < matches.size(); ++k)
-    pulls.push_back(robust_pull(matches[k], scan.points[k],
-                                scan.normals.empty() ? nullptr : &scan.normals[k],
-                                rims[matches[k].face], reach));
-  return pulls;
 }
 
 }  // namespace bodyline::optimize

@@ -9,8 +9,8 @@
 #include "io/read_model.hpp"
 #include "model/build.hpp"
 #include "model/evaluator.hpp"
+#include "optimize/pull_term.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_term.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -121,13 +121,13 @@ TEST_P(FootPoints, AgreeBetweenInstructionSets) {
   }
 }
 
-TEST(ScanTerm, ValueIsTheWeightedMeanOfSquares) {
+TEST(PullTerm, ValueIsTheWeightedMeanOfSquares) {
   Car car(model::Stage::body);
   const model::Scan scan =
       points_near(io::read_model(BODYLINE_SOURCE_DIR "/cars/model2.toml"), car.stage, 1000, 4.0);
   const auto matches = ScanMatcher(car.context->plan, car.stage, scan).match(car.nets());
   const auto pulls = some_pulls(scan, matches);
-  ScanTerm term(car.context->plan, car.stage);
+  PullTerm term(car.context->plan, car.stage);
   term.set(matches, pulls);
   double sum = 0.0, weights = 0.0;
   for (std::size_t k = 0; k < matches.size(); ++k) {
@@ -140,12 +140,12 @@ TEST(ScanTerm, ValueIsTheWeightedMeanOfSquares) {
   EXPECT_NEAR(term.value(car.nets(), 1.0, nullptr), sum / weights, sum_tolerance);
 }
 
-TEST(ScanTerm, AdjointIsTheDerivativeByEveryNumberOfTheNets) {
+TEST(PullTerm, AdjointIsTheDerivativeByEveryNumberOfTheNets) {
   Car car(model::Stage::body);
   const model::Scan scan =
       points_near(io::read_model(BODYLINE_SOURCE_DIR "/cars/model2.toml"), car.stage, 1000, 4.0);
   const auto matches = ScanMatcher(car.context->plan, car.stage, scan).match(car.nets());
-  ScanTerm term(car.context->plan, car.stage);
+  PullTerm term(car.context->plan, car.stage);
   term.set(matches, some_pulls(scan, matches));
   const std::size_t count = 3 * std::size_t(car.context->plan.point_count);
   std::vector<double> nets(car.nets(), car.nets() + count), bar(count, 0.0);
@@ -166,12 +166,12 @@ TEST(ScanTerm, AdjointIsTheDerivativeByEveryNumberOfTheNets) {
   EXPECT_GT(largest, 1e-3);
 }
 
-TEST(ScanTerm, ResidualsHaveItsValueAndGradient) {
+TEST(PullTerm, ResidualsHaveItsValueAndGradient) {
   Car car(model::Stage::base);
   const model::Scan scan =
       points_near(io::read_model(BODYLINE_SOURCE_DIR "/cars/model2.toml"), car.stage, 600, 4.0);
   const auto matches = ScanMatcher(car.context->plan, car.stage, scan).match(car.nets());
-  ScanTerm term(car.context->plan, car.stage);
+  PullTerm term(car.context->plan, car.stage);
   term.set(matches, some_pulls(scan, matches));
   const Eigen::Index count = 3 * Eigen::Index(car.context->plan.point_count);
   VectorXd bar = VectorXd::Zero(count), residual(term.residual_count());

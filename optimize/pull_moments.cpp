@@ -1,8 +1,10 @@
-#include "optimize/scan_moments.hpp"
+#include "optimize/pull_moments.hpp"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+
+#include "optimize/foot_columns.hpp"
 
 namespace bodyline::optimize {
 namespace {
@@ -11,42 +13,6 @@ constexpr int chunk = 4096;  // points whose moments are added in one go; the su
 
 struct Task {
   int face, begin, end;
-};
-
-// Pulls as the kernels take them.
-class PullColumns {
- public:
-  explicit PullColumns(int count)
-      : length_((count + 7) / 8 * 8), numbers_(std::size_t(11) * length_, 0.0) {
-    arrays_.count = count;
-    arrays_.u = column(0);
-    arrays_.v = column(1);
-    for (int e = 0; e < 6; ++e) arrays_.weight[e] = column(2 + e);
-    for (int c = 0; c < 3; ++c) arrays_.weighted_target[c] = column(8 + c);
-  }
-
-  void set(int k, const Match& match, const MatchPull& pull) {
-    const Eigen::Matrix3d& w = pull.weight;
-    const Eigen::Vector3d pulled = w * pull.target;
-    const double entries[6] = {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)};
-    column(0)[k] = match.u;
-    column(1)[k] = match.v;
-    for (int e = 0; e < 6; ++e) arrays_.weight[e][k] = entries[e];
-    for (int c = 0; c < 3; ++c) arrays_.weighted_target[c][k] = pulled[c];
-    sums_.constant += pull.target.dot(pulled);
-    sums_.weight += w.trace();
-  }
-
-  const model::PullArrays& arrays() const { return arrays_; }
-  const model::PullSums& sums() const { return sums_; }
-
- private:
-  double* column(int k) { return numbers_.data() + k * length_; }
-
-  std::size_t length_;
-  std::vector<double> numbers_;
-  model::PullArrays arrays_;
-  model::PullSums sums_;
 };
 
 }  // namespace
@@ -91,7 +57,7 @@ std::vector<FaceMoments> collect_moments(const std::vector<model::Face>& faces,
     PullColumns columns(end - begin);
     for (int k = begin; k < end; ++k) {
       const int at = of_face[face][k];
-      columns.set(k - begin, matches[at], pulls[at]);
+      columns.set(k - begin, matches[at].u, matches[at].v, pulls[at].target, pulls[at].weight);
     }
     parts[t].add(kernels, faces[face], columns.arrays(), columns.sums());
   });

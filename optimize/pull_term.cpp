@@ -1,4 +1,4 @@
-#include "optimize/scan_term.hpp"
+#include "optimize/pull_term.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -51,18 +51,18 @@ std::vector<const FaceMoments*> with_weight(const std::vector<FaceMoments>& mome
 
 }  // namespace
 
-ScanTerm::ScanTerm(const model::BodyPlan& plan, model::Stage stage, model::Isa isa)
+PullTerm::PullTerm(const model::BodyPlan& plan, model::Stage stage, model::Isa isa)
     : plan_(&plan),
       stage_(stage),
       kernels_(&model::kernels(isa)),
       columns_(3 * Index(plan.point_count)) {}
 
-void ScanTerm::set(const std::vector<Match>& matches, const std::vector<MatchPull>& pulls,
+void PullTerm::set(const std::vector<Match>& matches, const std::vector<MatchPull>& pulls,
                    double total_weight) {
   set(collect_moments(plan_->faces(stage_), *kernels_, matches, pulls), total_weight);
 }
 
-void ScanTerm::set(const std::vector<FaceMoments>& moments, double total_weight) {
+void PullTerm::set(const std::vector<FaceMoments>& moments, double total_weight) {
   double total = total_weight;
   if (!(total > 0.0)) {
     total = 0.0;
@@ -90,7 +90,7 @@ void ScanTerm::set(const std::vector<FaceMoments>& moments, double total_weight)
   factorized_ = false;
 }
 
-double ScanTerm::value(const double* nets, double scale, double* nets_bar) {
+double PullTerm::value(const double* nets, double scale, double* nets_bar) {
   double sum = 0.0;
   for (const FaceSquares& face : faces_) {
     const Eigen::Map<const VectorXd> x(nets + face.net, face.slope.size());
@@ -104,7 +104,7 @@ double ScanTerm::value(const double* nets, double scale, double* nets_bar) {
   return std::max(sum, 0.0);  // the squares cancel when the fit is exact
 }
 
-void ScanTerm::factorize() {
+void PullTerm::factorize() {
   tbb::parallel_for(std::size_t(0), faces_.size(), [&](std::size_t k) {
     FaceSquares& face = faces_[k];
     // H = P' L D L' P, so that R = D^(1/2) L' P; directions that no point sees are left out.
@@ -124,7 +124,7 @@ void ScanTerm::factorize() {
   factorized_ = true;
 }
 
-void ScanTerm::residuals(const double* nets, Eigen::Ref<VectorXd> r, Jacobian* jacobian) {
+void PullTerm::residuals(const double* nets, Eigen::Ref<VectorXd> r, Jacobian* jacobian) {
   if (!factorized_) factorize();
   std::vector<Eigen::Triplet<double>> entries;
   Index row = 0;

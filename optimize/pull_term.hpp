@@ -5,18 +5,18 @@
 #include "model/body_plan.hpp"
 #include "model/kernels.hpp"
 #include "model/net_term.hpp"
+#include "optimize/pull_moments.hpp"
 #include "optimize/scan_match.hpp"
-#include "optimize/scan_moments.hpp"
 
 namespace bodyline::optimize {
 
-/// Weighted mean of squared distances of a scan's points from their faces, mm^2, with the
-/// parameters of the matches held (docs/fitting.md). However many points, a face keeps only the
-/// moments of them that its least squares need. Pillar feet, whose Gregory terms have none, are
-/// left to their neighbours.
-class ScanTerm : public model::NetTerm {
+/// Weighted mean of squared distances of points (of a scan, an outline or a line) from their faces,
+/// mm^2, with the parameters of the matches held (docs/fitting.md). However many points, a face
+/// keeps only the moments of them that its least squares need. Pillar feet, whose Gregory terms
+/// have none, are left to their neighbours.
+class PullTerm : public model::NetTerm {
  public:
-  ScanTerm(const model::BodyPlan& plan, model::Stage stage, model::Isa isa = model::best_isa());
+  PullTerm(const model::BodyPlan& plan, model::Stage stage, model::Isa isa = model::best_isa());
 
   /// Takes new points; `pulls` belong to `matches` one by one. The mean counts `total_weight`, the
   /// sum of the traces of W unless given. Runs on the threads of oneTBB, with the same bits for any

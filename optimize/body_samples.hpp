@@ -9,7 +9,7 @@
 namespace bodyline::optimize {
 
 /// A body as points spread evenly over it, each with its outward normal.
-struct AlignShape {
+struct BodySamples {
   PointTree tree;
   std::vector<Eigen::Vector3d> normals;
   Eigen::Vector3d low, high;  ///< mm; corners of the box around the points
@@ -21,9 +21,9 @@ struct AlignShape {
 };
 
 /// Samples a model at its stage `body`, about one point per `spacing` x `spacing` mm.
-AlignShape align_shape(const model::Model& model, double spacing);
+BodySamples body_samples(const model::Model& model, double spacing);
 
 /// Its front half (`end` = -1) or its rear half (1), along x.
-AlignShape half_shape(const AlignShape& shape, double end);
+BodySamples half_of(const BodySamples& shape, double end);
 
 }  // namespace bodyline::optimize

@@ -1,4 +1,4 @@
-#include "optimize/align_shape.hpp"
+#include "optimize/body_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ double length_along(const Surface& face, bool along_u, double at) {
   return length;
 }
 
-AlignShape shape_of(std::vector<Vector3d> points, std::vector<Vector3d> normals, double spacing) {
+BodySamples shape_of(std::vector<Vector3d> points, std::vector<Vector3d> normals, double spacing) {
   Vector3d low = points.front(), high = points.front();
   for (const Vector3d& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
   return {PointTree(std::move(points)), std::move(normals), low, high, spacing};
@@ -35,7 +35,7 @@ AlignShape shape_of(std::vector<Vector3d> points, std::vector<Vector3d> normals,
 
 }  // namespace
 
-AlignShape align_shape(const model::Model& model, double spacing) {
+BodySamples body_samples(const model::Model& model, double spacing) {
   std::vector<Vector3d> points, normals;
   for (const Surface& face : model::build(model, model::Stage::body)) {
     const int rows = steps_for(length_along(face, true, 0.5), spacing);
@@ -52,7 +52,7 @@ AlignShape align_shape(const model::Model& model, double spacing) {
   return shape_of(std::move(points), std::move(normals), spacing);
 }
 
-AlignShape half_shape(const AlignShape& shape, double end) {
+BodySamples half_of(const BodySamples& shape, double end) {
   std::vector<Vector3d> points, normals;
   for (std::size_t k = 0; k < shape.points().size(); ++k) {
     if (end * (shape.points()[k].x() - shape.centre().x()) < 0.0) continue;
