@@ -55,6 +55,7 @@ explore::RunProgress make_rows(const Request& request, const Plan& plan,
                                explore::StoreWriter& store, const explore::RunOptions& options,
                                explore::RankOwner* owner) {
   if (explore::chooses_by_results(plan->study)) {
+    if (owner) owner->release();
     const explore::StoreReader begun(request.output.path);
     return explore::run_optimizer(plan, store, begun, options);
   }

@@ -9,10 +9,30 @@ namespace bodyline::explore {
 namespace {
 
 bool should_be_small(MetricKind kind) {
-  using enum MetricKind;
-  constexpr MetricKind costs[] = {bending, variation, fold, closeness,   folds,
-                                  kink,    gap,       scan, frontal_area};
-  return std::find(std::begin(costs), std::end(costs), kind) != std::end(costs);
+  switch (kind) {
+    case MetricKind::bending:
+    case MetricKind::variation:
+    case MetricKind::fold:
+    case MetricKind::closeness:
+    case MetricKind::frontal_area:
+    case MetricKind::folds:
+    case MetricKind::kink:
+    case MetricKind::gap:
+    case MetricKind::scan:
+    case MetricKind::outline:
+      return true;
+    case MetricKind::area:
+    case MetricKind::length:
+    case MetricKind::width:
+    case MetricKind::height:
+    case MetricKind::wheelbase:
+    case MetricKind::front_overhang:
+    case MetricKind::rear_overhang:
+    case MetricKind::rake:
+    case MetricKind::volume:
+      return false;
+  }
+  return false;
 }
 
 std::vector<BrowseObjective> usual_objectives(const Study& study) {

@@ -1,5 +1,7 @@
 #include "explore/design_space.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,6 +49,15 @@ bool is_upper_cut(const model::VariableMap& map, const Variable& variable) {
   return (variable.ties.front().parameter - map.layout().cut(0)) % 2 == 1;
 }
 
+// Offsets and factors can be so small that they leave nothing of a range, and so large that they
+// leave no number.
+void check_range(const Column& column) {
+  if (column.lower < column.upper && std::isfinite(column.upper - column.lower)) return;
+  throw StudyError("variables", "gives \"" + column.name + "\" a range from " +
+                                    fmt::format("{} to {}", column.lower, column.upper) +
+                                    "; it must be wider than rounding, and finite");
+}
+
 std::string unit_of(const Variable& variable) {
   return variable.kind == ParameterKind::curve ? "mm" : "1";
 }
@@ -69,8 +80,10 @@ DesignSpace::DesignSpace(const Study& study) {
         throw StudyError("variables", "gives two variables the name \"" + column.name + "\"");
     }
   }
-  for (Column& column : columns_)
+  for (Column& column : columns_) {
+    check_range(column);
     column.step = std::exp2(std::ceil(std::log2(column.upper - column.lower))) / steps;
+  }
   gather_bases();
 }
 

@@ -47,7 +47,7 @@ GoalFunctions::GoalFunctions(std::shared_ptr<const VariantPlan> plan, Goals goal
     const auto add = [&](double bound, double sign) {
       if (!std::isfinite(bound)) return;
       combination_(row, column) = sign / size_of(bound);
-      offset_[row] = (margin * std::abs(bound) - sign * bound) / size_of(bound);
+      offset_[row] = margin - sign * bound / size_of(bound);
       ++row;
     };
     add(constraint.most, 1.0);

@@ -1,6 +1,7 @@
 #include "explore/merge_stores.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "explore/same_structure.hpp"
@@ -14,6 +15,23 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t at_once = 4096;
 
+std::vector<VariableGroup> links_of(const Study& study) {
+  std::vector<VariableGroup> links;
+  std::copy_if(study.variables.begin(), study.variables.end(), std::back_inserter(links),
+               [](const VariableGroup& group) { return group.linked; });
+  return links;
+}
+
+// Whether values of links mean the same, whatever their ranges.
+bool alike(const std::vector<VariableGroup>& a, const std::vector<VariableGroup>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const VariableGroup& x, const VariableGroup& y) {
+                      VariableGroup same_range = y;
+                      same_range.range = x.range;
+                      return x == same_range;
+                    });
+}
+
 // What a row means must be the same in both.
 void check_alike(const StoreReader& a, const StoreReader& b) {
   const auto refuse = [&](const std::string& what) {
@@ -25,12 +43,14 @@ void check_alike(const StoreReader& a, const StoreReader& b) {
   };
   const auto &u = a.space().columns(), &v = b.space().columns();
   if (!std::equal(u.begin(), u.end(), v.begin(), v.end(), same_column)) refuse("variables");
-  const auto same_metric = [](const MetricSpec& x, const MetricSpec& y) {
-    return x.name == y.name && x.kind == y.kind && x.stage == y.stage && x.faces == y.faces &&
-           x.scan == y.scan;
-  };
-  const auto &m = a.study().metrics, &n = b.study().metrics;
-  if (!std::equal(m.begin(), m.end(), n.begin(), n.end(), same_metric)) refuse("metrics");
+  const Study &one = a.study(), &other = b.study();
+  if (one.base != other.base) refuse("models");
+  if (!alike(links_of(one), links_of(other))) refuse("linked variables");
+  if (one.metrics != other.metrics) refuse("metrics");
+  if (one.files != other.files) refuse("scans or drawings");
+  if (one.nodes != other.nodes) refuse("\"nodes\"");
+  if (one.constraints != other.constraints) refuse("constraints");
+  if (one.checks != other.checks) refuse("checks");
   if (a.study().models.size() != b.study().models.size()) refuse("models");
   for (std::size_t k = 0; k < a.study().models.size(); ++k) {
     if (a.header().inputs[k + 1].text != b.header().inputs[k + 1].text) refuse("models");
@@ -55,7 +75,8 @@ void merge_stores(const std::vector<fs::path>& from, const fs::path& to, bool ov
     planned += stores.back()->rows();
   }
   const StoreReader& first = *stores.front();
-  StoreWriter merged = StoreWriter::create(to, first.study(), first.space(), planned, overwrite);
+  StoreWriter merged =
+      StoreWriter::create(to, first.study(), first.space(), planned, overwrite, {.merged = true});
   for (const auto& store : stores) {
     for (std::uint64_t row = 0; row < store->rows(); row += at_once) {
       VariantRows rows =

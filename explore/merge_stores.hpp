@@ -6,8 +6,8 @@
 namespace bodyline::explore {
 
 /// Writes the rows of several stores, one after the other, into a new one with the study of the
-/// first. Throws StoreError when their variables, metrics or bodies differ, and as StoreWriter
-/// does.
+/// first, marked as `merged`. Throws StoreError when their variables, metrics, constraints, checks
+/// or bodies differ, so that a row would not mean the same, and as StoreWriter does.
 void merge_stores(const std::vector<std::filesystem::path>& from, const std::filesystem::path& to,
                   bool overwrite);
 

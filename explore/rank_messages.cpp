@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "explore/little_endian.hpp"
+#include "explore/measured_files.hpp"
 #include "explore/read_study.hpp"
 #include "model/kernels.hpp"
 
@@ -65,6 +66,16 @@ void check_alike(const char* what, const std::string& theirs, const std::string&
                            remedy);
 }
 
+void check_same_files(const std::vector<MeasuredFile>& theirs,
+                      const std::vector<MeasuredFile>& ours) {
+  for (const MeasuredFile& file : theirs) {
+    if (std::find(ours.begin(), ours.end(), file) != ours.end()) continue;
+    throw std::runtime_error("the file \"" + file.name +
+                             "\" is not the same on another rank as on rank 0; all need it at the "
+                             "same path");
+  }
+}
+
 }  // namespace
 
 RankWord word_of(const Bytes& message) { return Taker(message).word(); }
@@ -120,6 +131,12 @@ Bytes study_message(const Study& study) {
     put_text(bytes, input.name);
     put_text(bytes, input.text);
   }
+  put_number(bytes, study.files.size());
+  for (const MeasuredFile& file : study.files) {
+    put_text(bytes, file.name);
+    put_number(bytes, file.bytes);
+    put_text(bytes, file.digest);
+  }
   return bytes;
 }
 
@@ -135,12 +152,21 @@ Study read_study_message(const Bytes& message) {
     input.name = taker.text();
     input.text = taker.text();
   }
-  return read_study_text(inputs.front().text, path, [&](const std::string& name) {
+  std::vector<MeasuredFile> files(taker.number());
+  for (MeasuredFile& file : files) {
+    file.name = taker.text();
+    file.bytes = taker.number();
+    file.digest = taker.text();
+  }
+  Study study = read_study_text(inputs.front().text, path, [&](const std::string& name) {
     const auto found = std::find_if(inputs.begin() + 1, inputs.end(),
                                     [&](const StudyInput& input) { return input.name == name; });
     if (found == inputs.end()) throw std::runtime_error("rank 0 did not send " + name);
     return found->text;
   });
+  study.files = measured_files(study);
+  check_same_files(files, study.files);
+  return study;
 }
 
 }  // namespace bodyline::explore

@@ -4,6 +4,7 @@
 #include <bit>
 #include <fstream>
 
+#include "explore/measured_files.hpp"
 #include "explore/study_check.hpp"
 #include "explore/study_error.hpp"
 #include "explore/study_tables.hpp"
@@ -128,8 +129,10 @@ Study read_study_text(const std::string& text, const std::filesystem::path& path
 
 Study read_study(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.parent_path();
-  return read_study_text(read_file(path), path,
-                         [&](const std::string& name) { return read_file(folder / name); });
+  Study study = read_study_text(read_file(path), path,
+                                [&](const std::string& name) { return read_file(folder / name); });
+  study.files = measured_files(study);
+  return study;
 }
 
 }  // namespace bodyline::explore

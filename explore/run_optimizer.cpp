@@ -11,7 +11,7 @@ bool chooses_by_results(const Study& study) {
 }
 
 std::uint64_t planned_rows(const std::shared_ptr<const VariantPlan>& plan) {
-  return make_source(plan->study, plan->space)->size();
+  return source_size(plan->study, plan->space);
 }
 
 RunProgress run_optimizer(const std::shared_ptr<const VariantPlan>& plan, StoreWriter& store,

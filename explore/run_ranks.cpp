@@ -39,9 +39,9 @@ class Distribution {
   // up to the first missing row is appended, and `failure` says why.
   void run() {
     while (!failure_ && !stopped_ && !line_.should_stop()) {
-      const bool left = hand_out();
-      if (!left && wanted_ == line_.next()) break;
       try {
+        const bool left = hand_out();
+        if (!left && wanted_ == line_.next()) break;
         const bool heard = listen();
         const auto rows = crew_.collect(heard ? std::chrono::microseconds(0) : pause);
         if (rows) take_in(0, rows);
@@ -181,6 +181,12 @@ void RankOwner::send_stop() noexcept {
   }
 }
 
-RankOwner::~RankOwner() { send_stop(); }
+void RankOwner::release() noexcept {
+  if (released_) return;
+  released_ = true;
+  send_stop();
+}
+
+RankOwner::~RankOwner() { release(); }
 
 }  // namespace bodyline::explore

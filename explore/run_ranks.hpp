@@ -14,10 +14,14 @@ class RankOwner {
  public:
   /// `ranks` is of rank 0 and must outlive it.
   explicit RankOwner(Ranks& ranks) : ranks_(ranks) {}
-  /// Tells all others that there is no more work, and waits until they have heard.
+  /// Releases the others, unless that was done.
   ~RankOwner();
   RankOwner(const RankOwner&) = delete;
   RankOwner& operator=(const RankOwner&) = delete;
+
+  /// Tells all others that there is no more work, and waits until they have heard: for a run that
+  /// has none for them. They then wait for the end of rank 0, without load.
+  void release() noexcept;
 
   /// Does what run_study does, on all ranks; each has threads as it was told. Memory does not grow
   /// with the number of variants, but with that of threads. Once, and throws std::runtime_error
@@ -30,6 +34,7 @@ class RankOwner {
 
   Ranks& ranks_;
   bool shared_ = false;  // the others have the study
+  bool released_ = false;
 };
 
 /// The side of all other ranks: measures what rank 0 wants until it wants no more, or until

@@ -14,11 +14,13 @@ bool same(const model::Patch& a, const model::Patch& b) {
     return s.curve == t.curve && s.reversed == t.reversed && s.mirrored == t.mirrored;
   };
   return a.name == b.name && a.central == b.central && a.basis == b.basis &&
+         a.shape_u.size() == b.shape_u.size() && a.shape_v.size() == b.shape_v.size() &&
          std::equal(a.sides.begin(), a.sides.end(), b.sides.begin(), same_side);
 }
 
 bool same(const model::Joint& a, const model::Joint& b) {
-  return a.name == b.name && a.a == b.a && a.b == b.b && a.uncut == b.uncut;
+  return a.name == b.name && a.a == b.a && a.b == b.b && a.continuity == b.continuity &&
+         a.uncut == b.uncut;
 }
 
 bool same(const model::Seam& a, const model::Seam& b) {
@@ -49,6 +51,7 @@ std::string structural_difference(const model::Model& a, const model::Model& b) 
         difference(a.corners, b.corners, "corner")}) {
     if (!found.empty()) return found;
   }
+  if (a.units != b.units) return "the units";
   if (a.front_arch.curves != b.front_arch.curves || a.rear_arch.curves != b.rear_arch.curves)
     return "a wheel arch";
   return "";

@@ -141,12 +141,15 @@ std::unique_ptr<Sampler> latin_sampler(int dimension, std::uint64_t count, std::
   return std::make_unique<LatinSampler>(dimension, count, seed);
 }
 
+void check_latin_maximin(std::uint64_t count) {
+  if (count <= most_maximin_points) return;
+  throw std::invalid_argument("a maximin design has at most " +
+                              std::to_string(most_maximin_points) + " points");
+}
+
 std::unique_ptr<Sampler> latin_maximin_sampler(int dimension, std::uint64_t count,
                                                std::uint64_t seed) {
-  if (count > most_maximin_points) {
-    throw std::invalid_argument("a maximin design has at most " +
-                                std::to_string(most_maximin_points) + " points");
-  }
+  check_latin_maximin(count);
   std::vector<double> points(std::size_t(count) * std::size_t(dimension));
   LatinSampler(dimension, count, seed).points(0, int(count), points);
   if (count > 2) points = improved(std::move(points), dimension, seed);

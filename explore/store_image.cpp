@@ -132,6 +132,20 @@ void write_inputs(hid_t file, const Study& study) {
   }
 }
 
+// What the metrics measure against, which is too large to be kept.
+void write_files(hid_t file, const Study& study) {
+  std::vector<std::string> names, sizes, digests;
+  for (const MeasuredFile& measured : study.files) {
+    names.push_back(measured.name);
+    sizes.push_back(std::to_string(measured.bytes));
+    digests.push_back(measured.digest);
+  }
+  const Hdf5Handle group = make_group(file, "files");
+  write_texts(group, "name", names);
+  write_texts(group, "bytes", sizes);
+  write_texts(group, "digest", digests);
+}
+
 // The number of committed rows: one number at a fixed place, from the beginning.
 void make_counter(hid_t file) {
   const Hdf5Handle properties = timeless_dataset();
@@ -145,7 +159,8 @@ void make_counter(hid_t file) {
   hdf5_check(H5Dwrite(counter, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &none));
 }
 
-void fill(hid_t file, const Study& study, const DesignSpace& space, std::uint64_t planned) {
+void fill(hid_t file, const Study& study, const DesignSpace& space, std::uint64_t planned,
+          bool merged) {
   write_attribute(file, "program", "bodyline");
   write_attribute(file, "version", BODYLINE_VERSION);
   write_attribute(file, "schema", store_schema);
@@ -156,6 +171,7 @@ void fill(hid_t file, const Study& study, const DesignSpace& space, std::uint64_
     write_attribute(file, "sampler", sampler_name(study.sampler.kind));
   write_attribute(file, "seed", study.sampler.seed);
   write_attribute(file, "planned_rows", planned);
+  if (merged) write_attribute(file, "merged", 1);
   make_counter(file);
   const StoreLayout layout(study, space);
   const Hdf5Handle columns = make_group(file, "columns");
@@ -167,12 +183,13 @@ void fill(hid_t file, const Study& study, const DesignSpace& space, std::uint64_
   }
   write_texts(columns, "causes", cause_names(study, space));
   write_inputs(file, study);
+  if (!study.files.empty()) write_files(file, study);
 }
 
 }  // namespace
 
 std::vector<std::byte> empty_store(const Study& study, const DesignSpace& space,
-                                   std::uint64_t planned) {
+                                   std::uint64_t planned, bool merged) {
   const Hdf5Quiet quiet;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   constexpr std::size_t increment = 1 << 16;
@@ -183,7 +200,7 @@ std::vector<std::byte> empty_store(const Study& study, const DesignSpace& space,
   constexpr hsize_t sector = 512;
   hdf5_check(H5Pset_alignment(access, 1, sector));
   const Hdf5Handle file(H5Fcreate("empty store", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-  fill(file, study, space, planned);
+  fill(file, study, space, planned, merged);
   hdf5_check(H5Fflush(file, H5F_SCOPE_GLOBAL));
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   if (size <= 0) throw std::runtime_error("the HDF5 library makes no image of a file");

@@ -38,7 +38,7 @@ struct StoreLayout {
   std::vector<TableLayout> tables;
 };
 
-/// Width and height of thumbnails that are so wide.
+/// Height, width and colour channels of thumbnails that are so wide.
 std::vector<std::uint64_t> thumbnail_shape(int width);
 
 /// The bytes of a table's rows in `rows`: count * row_bytes().

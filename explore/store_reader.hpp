@@ -18,7 +18,9 @@ struct StoreHeader {
   std::string version;              ///< of the program that made it
   std::uint64_t rows = 0;           ///< committed
   std::uint64_t planned = 0;        ///< of the whole study
+  bool merged = false;              ///< its rows are of several stores
   std::vector<StudyInput> inputs;   ///< as in Study
+  std::vector<MeasuredFile> files;  ///< likewise
   std::vector<std::string> causes;  ///< what a Cause counts
 };
 

@@ -36,6 +36,10 @@ std::vector<std::string> factor_names(const DesignSpace& space) {
 StoreSensitivity store_sensitivity(const StoreReader& store, const std::string& metric) {
   const StoreColumn column = store_column(store, metric);
   if (!column.is_metric) throw std::invalid_argument("'" + metric + "' is a variable, no metric");
+  if (store.header().merged) {
+    throw std::invalid_argument(
+        "the store was put together from several; sensitivities come from each of them");
+  }
   const SamplerSpec& sampler = store.study().sampler;
   if (store.study().optimizer) {
     throw std::invalid_argument("the store was made by the optimizer \"" +

@@ -16,8 +16,8 @@ struct StoreSensitivity {
   std::optional<SobolIndices> sobol;
 };
 
-/// Throws std::invalid_argument for a store of another design, for one that is not complete, and
-/// for an unknown metric.
+/// Throws std::invalid_argument for a store of another design, for one that is not complete or
+/// put together from several, and for an unknown metric.
 StoreSensitivity store_sensitivity(const StoreReader& store, const std::string& metric);
 
 }  // namespace bodyline::explore

@@ -1,5 +1,6 @@
 #include "explore/store_writer.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -21,6 +22,17 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_waiting = 16;  // blocks
 
+// The first measured file that is another; "" when there is none.
+std::string changed_file(const std::vector<MeasuredFile>& then,
+                         const std::vector<MeasuredFile>& now) {
+  const std::size_t count = std::max(then.size(), now.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k < then.size() && k < now.size() && then[k] == now[k]) continue;
+    return k < now.size() ? now[k].name : then[k].name;
+  }
+  return "";
+}
+
 void check_same(const fs::path& path, const StoreHeader& header, const Study& study) {
   if (header.version != BODYLINE_VERSION) {
     throw StoreError(path, "was made by version " + header.version +
@@ -35,6 +47,8 @@ void check_same(const fs::path& path, const StoreHeader& header, const Study& st
   }
   if (header.inputs.size() != study.inputs.size())
     throw StoreError(path, "was made from another study.");
+  if (const std::string changed = changed_file(header.files, study.files); !changed.empty())
+    throw StoreError(path, "was made from other files: \"" + changed + "\" has changed since.");
 }
 
 }  // namespace
@@ -168,7 +182,7 @@ StoreWriter::StoreWriter(StoreWriter&&) noexcept = default;
 StoreWriter StoreWriter::create(const fs::path& path, const Study& study, const DesignSpace& space,
                                 std::uint64_t planned, bool overwrite,
                                 const StoreOptions& options) {
-  const std::vector<std::byte> image = empty_store(study, space, planned);
+  const std::vector<std::byte> image = empty_store(study, space, planned, options.merged);
   try {
     if (overwrite) AppendFile::refuse_written(path);
     io::write_file(path, {reinterpret_cast<const char*>(image.data()), image.size()},
@@ -176,12 +190,22 @@ StoreWriter StoreWriter::create(const fs::path& path, const Study& study, const 
   } catch (const io::InputError& error) {
     throw StoreError(path, error.sentence());
   }
-  return resume(path, study, options);
+  return open(path, study, options);
 }
 
 StoreWriter StoreWriter::resume(const fs::path& path, const Study& study,
                                 const StoreOptions& options) {
-  { const StoreReader looked_at(path); }  // says what is wrong with a file that is no store
+  const bool merged = StoreReader(path).header().merged;  // says what is wrong with other files
+  if (merged) {
+    throw StoreError(path,
+                     "was put together from several stores; a run cannot go on with it, but with "
+                     "each of them.");
+  }
+  return open(path, study, options);
+}
+
+StoreWriter StoreWriter::open(const fs::path& path, const Study& study,
+                              const StoreOptions& options) {
   auto file = std::make_unique<AppendFile>(path);
   const StoreReader reader(path);  // as it is now that nobody else writes
   check_same(path, reader.header(), study);

@@ -13,6 +13,7 @@ namespace bodyline::explore {
 
 struct StoreOptions {
   double commit_seconds = 1.0;  ///< finished blocks wait no longer than this for the disk
+  bool merged = false;          ///< rows of several stores; such a store is never gone on with
 };
 
 /// The one writer of a store (docs/store.md). Whatever ends the program, the file can be opened by
@@ -24,7 +25,7 @@ class StoreWriter {
   static StoreWriter create(const std::filesystem::path& path, const Study& study,
                             const DesignSpace& space, std::uint64_t planned, bool overwrite,
                             const StoreOptions& options = {});
-  /// Goes on with a store of the same study.
+  /// Goes on with a store of the same study; not with one whose rows are of several.
   static StoreWriter resume(const std::filesystem::path& path, const Study& study,
                             const StoreOptions& options = {});
   ~StoreWriter();
@@ -54,6 +55,8 @@ class StoreWriter {
  private:
   struct State;
   explicit StoreWriter(std::unique_ptr<State> state);
+  static StoreWriter open(const std::filesystem::path& path, const Study& study,
+                          const StoreOptions& options);
   std::unique_ptr<State> state_;
 };
 

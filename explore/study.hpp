@@ -22,6 +22,14 @@ struct StudyInput {
   std::string text;
 };
 
+/// A scan or drawing that a metric measures against; its content is not kept.
+struct MeasuredFile {
+  std::string name;  ///< as the study writes it
+  std::uint64_t bytes = 0;
+  std::string digest;  ///< of its content, to see changes (CRC-64); "" where it cannot be read
+  friend bool operator==(const MeasuredFile&, const MeasuredFile&) = default;
+};
+
 /// A car that variants start from.
 struct BaseModel {
   std::string name;  ///< of its file, without folder and extension
@@ -53,6 +61,7 @@ struct VariableGroup {
   /// All move together, by offset or factor, and are one variable with the group's name.
   bool linked = false;
   std::vector<double> weights;  ///< of a link's patterns: times the offset; 1 each when empty
+  friend bool operator==(const VariableGroup&, const VariableGroup&) = default;
 };
 
 /// One column of the results.
@@ -65,6 +74,7 @@ struct MetricSpec {
   int points = 2000;               ///< of the scan that are used
   bool posed = false;              ///< the scan lies on the models as it is, in mm
   std::string views;               ///< files of drawn outlines, as io/parse_views.hpp reads them
+  friend bool operator==(const MetricSpec&, const MetricSpec&) = default;
 };
 
 /// A metric that must lie in a range; a variant that breaks it is recorded as infeasible.
@@ -72,6 +82,7 @@ struct Constraint {
   std::string metric;
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+  friend bool operator==(const Constraint&, const Constraint&) = default;
 };
 
 enum class SamplerKind {
@@ -134,6 +145,7 @@ struct Keep {
 
 struct Checks {
   bool folds = true;  ///< look at 64 normals of every face
+  friend bool operator==(const Checks&, const Checks&) = default;
 };
 
 /// All that `bodyline explore` needs to know.
@@ -150,8 +162,9 @@ struct Study {
   std::optional<OptimizerSpec> optimizer;
   Checks checks;
   Keep keep;
-  int nodes = 8;                   ///< Gauss nodes per direction on each face, for the energies
-  std::vector<StudyInput> inputs;  ///< the study's own text first, then what it reads
+  int nodes = 8;                    ///< Gauss nodes per direction on each face, for the energies
+  std::vector<StudyInput> inputs;   ///< the study's own text first, then what it reads
+  std::vector<MeasuredFile> files;  ///< what metrics measure against, each once
 };
 
 }  // namespace bodyline::explore

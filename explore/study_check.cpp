@@ -51,7 +51,7 @@ void check_optimizer(const Study& study) {
 void check_study(const Study& study) {
   const DesignSpace space(study);
   check_metrics(study, space);
-  make_source(study, space);
+  source_size(study, space);
   if (study.optimizer) check_optimizer(study);
 }
 

@@ -9,7 +9,8 @@
 namespace bodyline::explore {
 
 /// Measures variants, one at a time; one per thread. The result depends on the values alone, not on
-/// what was measured before. Allocates nothing unless edges or scans are measured.
+/// what was measured before. Allocates nothing unless edges, scans
+/// or outlines are measured.
 class VariantEvaluator {
  public:
   explicit VariantEvaluator(std::shared_ptr<const VariantPlan> plan);

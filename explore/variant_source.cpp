@@ -100,6 +100,16 @@ std::unique_ptr<Sampler> make_sampler(const SamplerSpec& spec, const DesignSpace
   throw std::logic_error("a list is no sampler");
 }
 
+// What a sampler refuses, as a mistake of the table that gives it.
+template <class Make>
+auto in_words_of(const Study& study, const Make& make) -> decltype(make()) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw StudyError(study.optimizer ? "optimizer" : "sampler", error.what());
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<VariantSource> make_source(const Study& study, const DesignSpace& space) {
@@ -111,11 +121,17 @@ std::unique_ptr<VariantSource> make_source(const Study& study, const DesignSpace
     }
     throw StudyError("sampler.file", "was not read");
   }
-  try {
+  return in_words_of(study, [&]() -> std::unique_ptr<VariantSource> {
     return std::make_unique<SampledSource>(make_sampler(study.sampler, space), space);
-  } catch (const std::invalid_argument& error) {
-    throw StudyError("sampler", error.what());
-  }
+  });
+}
+
+std::uint64_t source_size(const Study& study, const DesignSpace& space) {
+  if (study.sampler.kind != SamplerKind::latin_maximin) return make_source(study, space)->size();
+  return in_words_of(study, [&] {
+    check_latin_maximin(study.sampler.count);
+    return study.sampler.count;
+  });
 }
 
 }  // namespace bodyline::explore

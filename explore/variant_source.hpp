@@ -22,8 +22,11 @@ class VariantSource {
 };
 
 /// What the study's sampler says; with an optimizer, where it starts. `space` must outlive it.
-/// Throws std::invalid_argument where the sampler does not suit the space, and io::InputError for a
-/// list that cannot be read.
+/// Throws StudyError where the sampler does not suit the space, and io::InputError for a list that
+/// cannot be read.
 std::unique_ptr<VariantSource> make_source(const Study& study, const DesignSpace& space);
+
+/// How many variants make_source gives; throws what it throws. Points that take long are not made.
+std::uint64_t source_size(const Study& study, const DesignSpace& space);
 
 }  // namespace bodyline::explore

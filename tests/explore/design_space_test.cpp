@@ -57,6 +57,17 @@ TEST(DesignSpace, StartsAtTheModelItself) {
   EXPECT_EQ(parameters_of(model), parameters_of(study.models.front().model));
 }
 
+// Added to a coordinate of hundreds of mm, nothing is left of it.
+TEST(DesignSpace, RefusesARangeThatVanishesInRounding) {
+  try {
+    const DesignSpace space(study_with(
+        model1, "a = { vary = [\"curve.roof__side_window[1].z\"], offset = [1e-15, 2e-15] }"));
+    FAIL() << "step " << space.columns().front().step;
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("it must be wider than rounding"));
+  }
+}
+
 TEST(DesignSpace, RangesOfOneModelAreValuesOfItsVariables) {
   const DesignSpace space(study_with(model1, all_ranges));
   const auto column = [&](const std::string& name) {

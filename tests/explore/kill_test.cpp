@@ -48,10 +48,14 @@ pid_t start(const fs::path& path, bool resume) {
   _exit(0);
 }
 
-int exit_code_of(pid_t child) {
+// How a child came to its end: anything else than the first two is a failure of the run.
+enum class End { finished, killed, failed };
+
+End end_of(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return End::finished;
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL ? End::killed : End::failed;
 }
 
 // Opens a store with h5py and h5dump; prints the committed rows and a digest of them.
@@ -77,7 +81,7 @@ print('fine')
 
 TEST(Kill, AtAnyMomentLosesNothingCommittedAndCanBeResumed) {
   const Folder folder;
-  ASSERT_EQ(exit_code_of(start(folder / "whole.h5", false)), 0);
+  ASSERT_EQ(end_of(start(folder / "whole.h5", false)), End::finished);
   const explore::VariantRows whole = all_rows(folder / "whole.h5");
   ASSERT_EQ(whole.count, rows);
 
@@ -93,7 +97,8 @@ TEST(Kill, AtAnyMomentLosesNothingCommittedAndCanBeResumed) {
     // Up to 60 ms: from before the store is there to the middle of the work.
     usleep(unsigned(60000.0 * random.uniform(std::uint64_t(kill_number), 0)[0]));
     ::kill(child, SIGKILL);
-    const bool ended = exit_code_of(child) == 0;
+    const End end = end_of(child);
+    ASSERT_NE(end, End::failed) << "a run that was not killed did not finish";
     if (!fs::exists(killed)) continue;
     ++moments;
     const explore::StoreReader reader(killed);
@@ -107,13 +112,13 @@ TEST(Kill, AtAnyMomentLosesNothingCommittedAndCanBeResumed) {
     const fs::path copy = folder / (std::to_string(moments) + ".h5");
     fs::copy_file(killed, copy);
     copies += " " + copy.string();
-    if (!ended) continue;
+    if (end == End::killed) continue;
     EXPECT_TRUE(same_rows(all_rows(killed), whole));
     fs::remove(killed);
     ++runs;
   }
   // At last without a kill.
-  ASSERT_EQ(exit_code_of(start(killed, fs::exists(killed))), 0);
+  ASSERT_EQ(end_of(start(killed, fs::exists(killed))), End::finished);
   EXPECT_TRUE(same_rows(all_rows(killed), whole));
 
   std::ofstream(folder / "look.py") << script;

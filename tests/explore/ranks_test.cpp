@@ -7,6 +7,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
@@ -166,6 +167,60 @@ TEST(Ranks, OneThatCannotGoOnEndsTheRunWithItsSentenceAndWhatIsMeasuredStays) {
   EXPECT_TRUE(same_rows(one, all_rows(path)));
 }
 
+// Cannot reach the others once so many variants are handed out.
+class BreakingRanks : public ThreadRanks {
+ public:
+  BreakingRanks(Post& post, std::uint64_t reach) : ThreadRanks(post, 0), reach_(reach) {}
+  void send(int to, Bytes bytes) override {
+    if (explore::word_of(bytes) == explore::RankWord::measure &&
+        explore::read_note(bytes).first >= reach_)
+      throw std::runtime_error("the line is dead");
+    ThreadRanks::send(to, std::move(bytes));
+  }
+
+ private:
+  std::uint64_t reach_;
+};
+
+TEST(Ranks, ALineThatBreaksLeavesWhatIsMeasured) {
+  // Of 64 variants a task, two ranks have at most 32 tasks that are not put together.
+  constexpr std::uint64_t many = 20000, reach = 6400, sure = reach - 32 * 64;
+  const Folder folder;
+  Post post(2);
+  const std::jthread other([&] {
+    ThreadRanks there(post, 1);
+    serve(there);
+  });
+  BreakingRanks here(post, reach);
+  explore::RankOwner owner(here);
+  const explore::Study study = small_study(many, "[keep]\nblock = 128");
+  const auto plan = std::make_shared<explore::VariantPlan>(study);
+  const auto source = explore::make_source(plan->study, plan->space);
+  explore::StoreWriter store =
+      explore::StoreWriter::create(folder / "a.h5", study, plan->space, many, false);
+  try {
+    owner.run(plan, *source, store, one_thread());
+    FAIL() << "nothing was said";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the line is dead"));
+  }
+  EXPECT_GE(explore::StoreReader(folder / "a.h5").rows(), sure);
+}
+
+TEST(Ranks, ThatWereReleasedAreNotTroubledAgain) {
+  Post post(2);
+  std::jthread other([&] {
+    ThreadRanks there(post, 1);
+    serve(there);
+  });
+  ThreadRanks here(post, 0);
+  explore::RankOwner owner(here);
+  owner.release();
+  other.join();  // it left before the owner did
+  owner.release();
+  EXPECT_FALSE(here.abandoned);
+}
+
 TEST(Ranks, NobodyWaitsWhenRankZeroHasNothingToDo) {
   Post post(3);
   std::vector<std::jthread> others;
@@ -188,6 +243,26 @@ TEST(Ranks, AStudyArrivesAsItWasSent) {
   for (std::size_t k = 0; k < study.inputs.size(); ++k) {
     EXPECT_EQ(there.inputs[k].name, study.inputs[k].name);
     EXPECT_EQ(there.inputs[k].text, study.inputs[k].text);
+  }
+}
+
+TEST(Ranks, WithAnotherScanAreRefused) {
+  const Folder folder;
+  std::filesystem::copy_file(std::filesystem::path(BODYLINE_SOURCE_DIR) / "cars/model1.toml",
+                             folder / "model1.toml");
+  std::ofstream(folder / "a.xyz") << "1 2 3\n";
+  std::ofstream(folder / "study.toml") << study_text(
+      "model = \"model1.toml\"", "fullness = { vary = [\"fullness.hood*\"], range = [1.0, 2.0] }",
+      "scan = { file = \"a.xyz\" }", "kind = \"random\"\ncount = 4");
+  const explore::Study study = explore::read_study(folder / "study.toml");
+  const Bytes message = explore::study_message(study);
+  EXPECT_EQ(explore::read_study_message(message).files, study.files);
+  std::ofstream(folder / "a.xyz") << "1 2 4\n";
+  try {
+    explore::read_study_message(message);
+    FAIL() << "nothing was said";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("\"a.xyz\" is not the same on another rank"));
   }
 }
 

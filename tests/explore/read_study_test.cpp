@@ -51,6 +51,28 @@ TEST(ReadStudy, FindsFilesBesideTheStudy) {
   EXPECT_EQ(explore::read_study(folder / "study.toml").models.front().model.name, "model1");
 }
 
+// The content of a scan is not kept, but what it takes to see that it is another.
+TEST(ReadStudy, KnowsTheFilesThatMetricsMeasureAgainst) {
+  const Folder folder;
+  std::filesystem::copy_file(std::filesystem::path(BODYLINE_SOURCE_DIR) / "cars/model1.toml",
+                             folder / "model1.toml");
+  std::ofstream(folder / "study.toml") << study_text(base, shape,
+                                                     "a = { kind = \"scan\", file = \"a.xyz\" }\n"
+                                                     "b = { kind = \"scan\", file = \"a.xyz\" }\n"
+                                                     "c = { kind = \"scan\", file = \"none.xyz\" }",
+                                                     sobol);
+  const auto files_with = [&](const std::string& content) {
+    std::ofstream(folder / "a.xyz") << content;
+    return explore::read_study(folder / "study.toml").files;
+  };
+  const auto first = files_with("123456789");
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0], (explore::MeasuredFile{"a.xyz", 9, "995dc9bbdf1939fa"}));  // as XZ has it
+  EXPECT_EQ(first[1], (explore::MeasuredFile{"none.xyz", 0, ""}));
+  EXPECT_NE(files_with("123456788"), first);
+  EXPECT_EQ(files_with("123456789"), first);
+}
+
 struct Refused {
   const char* name;
   std::string text;

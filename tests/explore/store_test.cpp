@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <thread>
 
@@ -22,6 +25,25 @@ Study stored_study(const std::string& keep) { return small_study(rows, "[keep]\n
 void append_made_up(explore::StoreWriter& store, int count, int at_once) {
   for (int done = 0; done < count; done += at_once)
     store.append(made_up_rows(store.layout(), store.rows(), std::min(at_once, count - done)));
+}
+
+std::string sentence_of(const fs::path& path) {
+  try {
+    explore::StoreReader reader(path);
+    reader.read(0, int(reader.rows()), true);
+  } catch (const explore::StoreError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string resume_sentence(const fs::path& path, const Study& study) {
+  try {
+    explore::StoreWriter::resume(path, study);
+  } catch (const explore::StoreError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 class EveryLayout : public ::testing::TestWithParam<const char*> {};
@@ -152,6 +174,79 @@ TEST(Store, AReaderKeepsWhatItSaw) {
   EXPECT_TRUE(same_rows(reader.read(0, 128, true), made_up_rows(reader.layout(), 0, 128)));
 }
 
+// Commits follow each other without a pause, and the file is opened in their midst.
+TEST(Store, CanBeOpenedInTheMiddleOfACommit) {
+  constexpr int many = 6400, looks = 60;
+  const Folder folder;
+  const Study study = stored_study("block = 64");
+  explore::StoreWriter store = new_store(folder / "a.h5", study, many, {.commit_seconds = 0.0});
+  std::atomic<bool> enough{false};
+  std::thread writer([&] {
+    while (!enough && store.rows() < many) {
+      append_made_up(store, 64, 64);
+      while (store.committed_rows() < store.rows()) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  std::string sentence;
+  for (int look = 0; look < looks && sentence.empty(); ++look) {
+    try {
+      const explore::StoreReader reader(folder / "a.h5");
+      const int seen = int(reader.rows());
+      if (!same_rows(reader.read(0, seen, true), made_up_rows(reader.layout(), 0, seen)))
+        sentence = "other rows";
+    } catch (const std::exception& error) {
+      sentence = error.what();
+    }
+  }
+  enough = true;
+  writer.join();
+  EXPECT_EQ(sentence, "");
+}
+
+// A reader that goes on long after it opened the file, as the snippet of docs/store.md has it.
+TEST(Store, CanBeFollowedWithAnHdf5Library) {
+  const Folder folder;
+  const Study study = stored_study("block = 64");
+  explore::StoreWriter store = new_store(folder / "a.h5", study, rows, {.commit_seconds = 0.0});
+  append_made_up(store, 128, 64);
+  while (store.committed_rows() < 128) std::this_thread::yield();
+  const hid_t file = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t metrics = H5Dopen2(file, "metrics", H5P_DEFAULT);
+  append_made_up(store, 512, 64);
+  while (store.committed_rows() < 640) std::this_thread::yield();
+  const int width = int(study.metrics.size());
+  std::vector<double> found(std::size_t(128 * width));
+  const hid_t selected = H5Dget_space(metrics);
+  const hsize_t start[]{0, 0}, count[]{128, hsize_t(width)};
+  H5Sselect_hyperslab(selected, H5S_SELECT_SET, start, nullptr, count, nullptr);
+  const hid_t memory = H5Screate_simple(2, count, nullptr);
+  EXPECT_GE(H5Dread(metrics, H5T_NATIVE_DOUBLE, memory, selected, H5P_DEFAULT, found.data()), 0);
+  EXPECT_EQ(found, made_up_rows(store.layout(), 0, 128).metrics);
+  H5Sclose(memory);
+  H5Sclose(selected);
+  H5Dclose(metrics);
+  H5Fclose(file);
+}
+
+// A program of someone else's may have put a table there whose numbers are wider.
+TEST(Store, RefusesATableWithOtherNumbers) {
+  const Folder folder;
+  {
+    explore::StoreWriter store = new_store(folder / "a.h5", stored_study("block = 64"), rows);
+    append_made_up(store, rows, 100);
+    store.finish();
+  }
+  const hid_t file = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Ldelete(file, "status", H5P_DEFAULT);
+  const hsize_t extent = rows;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  H5Dclose(H5Dcreate2(file, "status", H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  H5Sclose(space);
+  H5Fclose(file);
+  EXPECT_THAT(sentence_of(folder / "a.h5"), HasSubstr("the dataset status has other numbers"));
+}
+
 TEST(Store, IsNotReplacedUnlessAsked) {
   const Folder folder;
   const Study study = stored_study("block = 64");
@@ -173,6 +268,23 @@ TEST(Store, GoesOnWithItsOwnStudyOnly) {
   }
 }
 
+TEST(Store, GoesOnWithItsOwnScansOnly) {
+  const Folder folder;
+  Study study = stored_study("block = 64");
+  study.files = {{"a.xyz", 9, "995dc9bbdf1939fa"}, {"b.svg", 1ull << 40, "0123456789abcdef"}};
+  new_store(folder / "a.h5", study, rows).finish();
+  EXPECT_EQ(explore::StoreReader(folder / "a.h5").header().files, study.files);
+  explore::StoreWriter::resume(folder / "a.h5", study).finish();
+  const std::vector<explore::MeasuredFile> same = study.files;
+  study.files[1].digest[0] = '1';
+  EXPECT_THAT(resume_sentence(folder / "a.h5", study), HasSubstr("\"b.svg\" has changed since"));
+  study.files = same;
+  ++study.files[0].bytes;
+  EXPECT_THAT(resume_sentence(folder / "a.h5", study), HasSubstr("\"a.xyz\" has changed since"));
+  study.files = {same[0]};
+  EXPECT_THAT(resume_sentence(folder / "a.h5", study), HasSubstr("\"b.svg\" has changed since"));
+}
+
 TEST(Store, GivesItsStudyBack) {
   const Folder folder;
   const Study study = stored_study("block = 64\nnets = true");
@@ -183,16 +295,6 @@ TEST(Store, GivesItsStudyBack) {
   EXPECT_EQ(reader.space().column_count(), explore::DesignSpace(study).column_count());
   EXPECT_EQ(reader.header().planned, std::uint64_t(rows));
   EXPECT_THAT(reader.header().causes, ::testing::Contains("hood__windshield"));
-}
-
-std::string sentence_of(const fs::path& path) {
-  try {
-    explore::StoreReader reader(path);
-    reader.read(0, int(reader.rows()), true);
-  } catch (const explore::StoreError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Store, SaysWhatIsWrongWithAFile) {

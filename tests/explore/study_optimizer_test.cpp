@@ -47,6 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "optimizer.population: is missing; the optimizer nsga2 needs it."},
         Refused{"ForeignKey", text_of(front + "points = 9\npopulation = 12"),
                 "optimizer.population: is nothing that the optimizer front has."},
+        Refused{"TooManyVariants", text_of(nsga2 + "population = 5000\ngenerations = 1000000"),
+                ": optimizer: "},
         Refused{"OddPopulation", text_of(nsga2 + "population = 10\ngenerations = 2"),
                 "must be a multiple of 4 for nsga2"},
         Refused{"UnknownKey", text_of(nsga2 + some + "\nsize = 3"), "optimizer.size: unknown key"},

@@ -25,6 +25,22 @@ function distances(dataset, row, columns) {
 }
 
 /**
+ * The one of `rows` that is nearest to a row by some columns, or -1.
+ * @param {Iterable<number>} rows
+ */
+export function nearestOf(dataset, row, columns, rows) {
+  const all = distances(dataset, row, columns);
+  let best = -1,
+    least = Infinity;
+  for (const other of rows) {
+    if (other === row || !(all[other] < least)) continue;
+    best = other;
+    least = all[other];
+  }
+  return best;
+}
+
+/**
  * The nearest other rows, the nearest first.
  * @returns {{row: number, distance: number}[]}
  */

@@ -3,7 +3,7 @@ import { home, Stage } from '../../surface/stage.js';
 import { turntable } from '../../surface/turntable.js';
 import { element, tabs } from '../dom.js';
 import { short } from '../format.js';
-import { nearest } from '../neighbours.js';
+import { nearestOf } from '../neighbours.js';
 import { Drawing } from './drawing.js';
 
 const cells = 16;
@@ -152,7 +152,7 @@ export class BodyView {
   offerNearest_(chosen) {
     const { explorer, bodies } = this,
       { dataset } = explorer;
-    const like = nearest(dataset, chosen, dataset.variableColumns(), dataset.count).find(({ row }) => bodies.has(row));
+    const like = nearestOf(dataset, chosen, dataset.variableColumns(), bodies.rows);
     const text =
       `The page holds the bodies of ${bodies.rows.length} of ${dataset.count} variants, not that of variant ` +
       `${dataset.ids[chosen]}. Write it with --bodies for more. `;
@@ -160,8 +160,8 @@ export class BodyView {
       text,
       element('button', {
         type: 'button',
-        textContent: `Show #${dataset.ids[like.row]}, the nearest by variables`,
-        onclick: () => explorer.choose(like.row),
+        textContent: `Show #${dataset.ids[like]}, the nearest by variables`,
+        onclick: () => explorer.choose(like),
       }),
     ];
   }
