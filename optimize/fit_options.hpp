@@ -12,7 +12,7 @@ namespace bodyline::optimize {
 
 /// A round of a fit.
 struct FitProgress {
-  std::string phase;  ///< "warp", "curves", "body" or "unfold"
+  std::string phase;  ///< "warp", "curves", "body", "unfold" or "settle"
   int round = 0, rounds = 0;
   double distance = 0.0;  ///< median distance of the first target of points before the round, mm
   double seconds = 0.0;   ///< since the start

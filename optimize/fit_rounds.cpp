@@ -12,6 +12,7 @@ namespace {
 constexpr int rounds_per_search = 2;  // points change their faces only then
 
 // From round to round of unfolding.
+constexpr int settle_rounds = 6;
 constexpr double fold_growth = 10.0;
 constexpr double fold_cosine_step = 0.1;
 constexpr double rims_decay = 0.5;  // a rim that the scan does not show well may be what folds
@@ -110,6 +111,21 @@ void FitRounds::unfold(FitPhase& phase) {
     if (folded.size() >= folded_faces_.size()) continue;
     model_ = model;
     folded_faces_ = std::move(folded);
+    if (folded_faces_.empty() && k > 0) settle(phase, round);
+  }
+}
+
+// Back to the targets, from which strong barriers have drawn the body away, as far as nothing folds
+// again.
+void FitRounds::settle(FitPhase& phase, FitRound round) {
+  for (int k = 0; k < settle_rounds && !over(); ++k) {
+    if (k > 0 && round.fold.cosine > FitRound{}.fold.cosine) round.fold.cosine -= fold_cosine_step;
+    round.search_anew = k % rounds_per_search == 0;
+    one_round(phase, "settle", k, settle_rounds, round);
+    const model::Model model = phase.model();
+    if (!find_folded_faces(model).empty()) return;
+    model_ = model;
+    misfit_ = phase.misfit(round);
   }
 }
 

@@ -46,6 +46,7 @@ class FitRounds {
   bool over() const { return failed_ || stopped(); }
   void run(FitPhase& phase, const std::string& name, int rounds, double first, double last);
   void unfold(FitPhase& phase);
+  void settle(FitPhase& phase, FitRound round);
   void one_round(FitPhase& phase, const std::string& name, int index, int rounds,
                  const FitRound& round);
 
