@@ -13,10 +13,10 @@ std::string mm(double value) { return html_number(value, 3) + " mm"; }
 
 std::string scan_tiles(const FitReport& report) {
   const ReportDistances& d = report.distances;
-  std::string html = html_tile("Median distance", mm(d.median), "half of the points are nearer");
+  std::string html = html_tile("Median distance", mm(d.median), "half lie nearer");
   html += html_tile("90 % within", mm(d.p90), "of the points");
   html += html_tile("99 % within", mm(d.p99), "outliers included");
-  html += html_tile("Points", std::to_string(report.points.size()), "of the scan, measured");
+  html += html_tile("Points", std::to_string(report.points.size()), "of the scan");
   return html + html_tile("Patches hardly seen", std::to_string(report.unseen_patches.size()),
                           "held by fairness");
 }

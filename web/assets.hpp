@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-/// The scripts of the pages that the program writes, bundled when it is built. None holds what would
-/// end a <script> or <style> element.
+/// The scripts of the pages that the program writes, bundled when it is built. None holds what
+/// would end a <script> or <style> element.
 namespace bodyline::web {
 
 /// Of the page that `browse` writes.

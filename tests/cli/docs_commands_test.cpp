@@ -8,8 +8,9 @@
 #include "tests/cli/program_run.hpp"
 
 /// Every `sh` block of README.md and docs/*.md works: it runs line by line in a folder that holds
-/// `cars` and `examples`, with `bodyline` on the PATH. A command that ends in "# exit 1" must end so; all others
-/// must end well. Blocks that start with "./dev" set the machine up and are left out.
+/// `cars` and `examples`, with `bodyline` on the PATH. A command that ends in "# exit 1" must end
+/// so; all others must end well. Blocks that start with "./dev" set the machine up and are left
+/// out.
 namespace bodyline {
 namespace {
 
