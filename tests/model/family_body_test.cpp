@@ -1,5 +1,6 @@
 // Patches of any family in a body (docs/families.md, section 6).
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "check_models.hpp"
