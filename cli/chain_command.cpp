@@ -8,11 +8,11 @@
 #include <stdexcept>
 
 #include "cli/chain_text.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/number_check.hpp"
 #include "cli/output.hpp"
 #include "cli/picture_options.hpp"
 #include "cli/progress.hpp"
+#include "cli/watched_search.hpp"
 #include "io/chain_file.hpp"
 #include "io/chain_picture.hpp"
 #include "io/export_step.hpp"
@@ -51,13 +51,7 @@ optimize::FairChainResult tune(Context& context, const model::PatchChain& chain,
   if (!request.vary.empty()) options.vary = request.vary;
   options.hold = request.hold;
   options.problem.within = request.within;
-  const Interrupt interrupt;
-  Progress progress(context, "tuning");
-  options.search.should_stop = [&] { return interrupt.requested(); };
-  options.search.on_progress = [&](const optimize::Progress& step) {
-    progress.update(-1.0,
-                    fmt::format("evaluation {}, objective {:.6g}", step.evaluation, step.value));
-  };
+  const WatchedSearch watched(context, options.search);
   return optimize::fair_chain(chain, options);
 }
 

@@ -7,7 +7,6 @@
 
 #include "cli/fair_json.hpp"
 #include "cli/fair_report.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/load_model.hpp"
 #include "cli/number_check.hpp"
 #include "cli/objective_option.hpp"
@@ -15,6 +14,7 @@
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage_option.hpp"
+#include "cli/watched_search.hpp"
 #include "io/write_model.hpp"
 #include "optimize/fairness.hpp"
 
@@ -55,13 +55,7 @@ optimize::FairOptions fair_options(const Request& request) {
 
 optimize::FairResult tune(Context& context, const model::Model& model,
                           optimize::FairOptions options) {
-  const Interrupt interrupt;
-  Progress progress(context, "tuning");
-  options.search.should_stop = [&] { return interrupt.requested(); };
-  options.search.on_progress = [&](const optimize::Progress& step) {
-    progress.update(-1.0,
-                    fmt::format("evaluation {}, objective {:.6g}", step.evaluation, step.value));
-  };
+  const WatchedSearch watched(context, options.search);
   return optimize::fair(model, options);
 }
 

@@ -18,7 +18,7 @@ std::string scan_tiles(const FitReport& report) {
   html += html_tile("99 % within", mm(d.p99), "outliers included");
   html += html_tile("Points", std::to_string(report.points.size()), "of the scan");
   return html + html_tile("Patches hardly seen", std::to_string(report.unseen_patches.size()),
-                          "held by fairness");
+                          report.before ? "held by fairness" : "too far or without points");
 }
 
 std::string tiles(const FitReport& report) {
