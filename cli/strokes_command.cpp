@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "cli/number_check.hpp"
 #include "cli/output.hpp"
@@ -44,6 +46,9 @@ std::vector<model::Stroke> read_all(const Request& request) {
 }
 
 void check_request(const Request& request) {
+  const bool smooth = request.build.method == strokes::Method::smooth;
+  if (!smooth && (request.build.fair || request.build.tolerance_mm))
+    throw std::invalid_argument("--fair and --within belong to the smooth method");
   check_output(request.output, request.inputs.front(), io::export_extensions());
   if (request.picture.empty()) return;
   check_output({request.picture, request.output.overwrite}, request.inputs.front(), {".png"});
@@ -59,8 +64,13 @@ void draw(Context& context, const Request& request, const model::FaceNet& net) {
   io::write_png(io::render(model::bezier_faces(net), options), request.picture, overwrite(request));
 }
 
-// Faces of a construction are where they should be up to rounding.
-constexpr double allowed_gap_mm = 1e-6;
+// Faces of a construction are where they should be up to rounding, and so are their normals where
+// patches join smoothly.
+constexpr double allowed_gap_mm = 1e-6, allowed_angle_deg = 1e-6, any_angle_deg = 180.0;
+
+double allowed_angle(const strokes::SurfaceBuild& build) {
+  return build.method == strokes::Method::smooth ? allowed_angle_deg : any_angle_deg;
+}
 
 void run(Context& context, const Request& request) {
   check_request(request);
@@ -76,7 +86,9 @@ void run(Context& context, const Request& request) {
   {
     const Progress progress(context, "writing " + request.output.path);
     report.check = model::check_face_net(net);
-    report.findings = model::face_net_findings(net, report.check, allowed_gap_mm, 180.0);
+    report.findings =
+        model::face_net_findings(net, report.check, allowed_gap_mm, allowed_angle(*build));
+    add_stroke_findings(report);
     io::ExportOptions options;
     options.tolerance_mm = request.mesh_tolerance_mm;
     options.overwrite = overwrite(request);
@@ -119,6 +131,24 @@ void add_strokes_command(CLI::App& program, Context& context) {
                    "diagonal when left out")
       ->type_name("MM")
       ->check(positive_number());
+  const std::map<std::string, strokes::Method> methods{{"smooth", strokes::Method::smooth},
+                                                       {"paper", strokes::Method::paper}};
+  command
+      ->add_option(
+          "--method", request->build.method,
+          "smooth: strokes fitted, patches joined with one tangent plane; paper: polylines, "
+          "patches that meet in creases")
+      ->type_name("METHOD")
+      ->default_str("smooth")
+      ->transform(CLI::CheckedTransformer(methods).description("smooth, paper"));
+  command
+      ->add_option(
+          "--within", request->build.tolerance_mm,
+          "Smooth: largest distance of the newest strokes from the surface, mm; a fifth of "
+          "the threshold when left out")
+      ->type_name("MM")
+      ->check(positive_number());
+  command->add_flag("--fair", request->build.fair, "Smooth: as fair as --within allows");
   command
       ->add_option("--tolerance", request->mesh_tolerance_mm,
                    "Largest distance of a mesh from the surface, mm")

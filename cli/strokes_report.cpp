@@ -33,6 +33,9 @@ std::string outcome_text(const StrokeOutcome& outcome) {
   if (outcome.curves_moved > 0)
     text += fmt::format(", {} moved by up to {:.3g} mm",
                         plural(outcome.curves_moved, "earlier curve"), outcome.largest_move_mm);
+  text += fmt::format(", within {:.3g} mm", outcome.deviation_mm);
+  if (outcome.gave_way_mm > 0.0)
+    text += fmt::format(" after it gave way by up to {:.3g} mm", outcome.gave_way_mm);
   return text;
 }
 
@@ -43,6 +46,38 @@ std::string boundary_text(const strokes::BoundaryReport& boundary) {
                       boundary.largest_gap_mm);
   if (boundary.crossings > 0) text += ", " + plural(boundary.crossings, "crossing") + " trimmed";
   return text + "\n";
+}
+
+bool is_newest(const StrokeOutcome& outcome) {
+  return outcome.rejection == Rejection::none && outcome.gave_way_mm == 0.0;
+}
+
+// Of the strokes that no later one moved.
+double newest_deviation(const StrokesReport& report) {
+  double largest = 0.0;
+  for (const StrokeOutcome& outcome : report.build->outcomes)
+    if (is_newest(outcome)) largest = std::max(largest, outcome.deviation_mm);
+  return largest;
+}
+
+std::string method_text(const StrokesReport& report) {
+  if (!report.build->smooth)
+    return fmt::format("method paper; newest strokes within {:.2g} mm of the surface\n",
+                       newest_deviation(report));
+  const strokes::SmoothReport& smooth = *report.build->smooth;
+  return fmt::format(
+      "method smooth; newest strokes within {:.3g} mm of the surface, {:.3g} mm allowed; the "
+      "boundary within {:.3g} mm of its strokes\n",
+      newest_deviation(report), smooth.tolerance_mm, smooth.boundary_deviation_mm);
+}
+
+Json smooth_json(const StrokesReport& report) {
+  if (!report.build->smooth) return nullptr;
+  const strokes::SmoothReport& smooth = *report.build->smooth;
+  return {{"tolerance_mm", smooth.tolerance_mm},
+          {"grid_cells", smooth.cells},
+          {"fairness", smooth.fairness},
+          {"boundary_deviation_mm", smooth.boundary_deviation_mm}};
 }
 
 int rejected_count(const StrokesReport& report) {
@@ -69,6 +104,8 @@ Json outcome_json(const StrokeOutcome& outcome) {
   json["ends_extended"] = outcome.ends_extended;
   json["curves_moved"] = outcome.curves_moved;
   json["largest_move_mm"] = outcome.largest_move_mm;
+  json["gave_way_mm"] = outcome.gave_way_mm;
+  json["deviation_mm"] = outcome.deviation_mm;
   return json;
 }
 
@@ -84,6 +121,15 @@ Json check_json(const StrokesReport& report) {
 
 }  // namespace
 
+void add_stroke_findings(StrokesReport& report) {
+  if (!report.build->smooth) return;
+  const double tolerance = report.build->smooth->tolerance_mm;
+  for (const StrokeOutcome& outcome : report.build->outcomes)
+    if (is_newest(outcome) && !(outcome.deviation_mm <= tolerance))
+      report.findings.push_back(fmt::format("the surface misses {} by up to {:.3g} mm.",
+                                            outcome.name, outcome.deviation_mm));
+}
+
 std::string strokes_text(const StrokesReport& report) {
   std::string text = boundary_text(report.build->boundary);
   std::size_t width = 6;
@@ -98,6 +144,7 @@ std::string strokes_text(const StrokesReport& report) {
       plural(static_cast<int>(report.net->faces.size()), "face"),
       report.check.totals.area_mm2 / model::square_mm_per_square_m, report.check.totals.bending,
       report.check.worst.gap_mm, report.check.worst.normal_deviation_deg);
+  text += method_text(report);
   const int rejected = rejected_count(report);
   return text + fmt::format("{} of {} inserted\n",
                             report.build->outcomes.size() - static_cast<std::size_t>(rejected),
@@ -106,7 +153,11 @@ std::string strokes_text(const StrokesReport& report) {
 
 Json strokes_json(const StrokesReport& report) {
   const strokes::BoundaryReport& boundary = report.build->boundary;
-  Json json{{"threshold_mm", report.build->threshold_mm},
+  const bool smooth = report.build->method == strokes::Method::smooth;
+  Json json{{"method", smooth ? "smooth" : "paper"},
+            {"smooth", smooth_json(report)},
+            {"newest_deviation_mm", newest_deviation(report)},
+            {"threshold_mm", report.build->threshold_mm},
             {"boundary",
              {{"strokes", boundary.strokes},
               {"found", boundary.found},

@@ -20,6 +20,10 @@ struct StrokesReport {
   std::vector<std::string> findings;
 };
 
+/// Adds strokes of the smooth method that the surface misses by more than the tolerance, though no
+/// later stroke moved them, to the findings.
+void add_stroke_findings(StrokesReport& report);
+
 /// Tables of strokes and sizes, and what is wrong.
 std::string strokes_text(const StrokesReport& report);
 

@@ -5,6 +5,7 @@
 #include "strokes/coons_shape.hpp"
 #include "strokes/insert_line.hpp"
 #include "strokes/piece_line.hpp"
+#include "strokes/smooth_stroke.hpp"
 
 namespace bodyline::strokes {
 namespace {
@@ -26,13 +27,19 @@ void insert(NetEdit& edit, PlacedStroke stroke, int number, const StrokeOptions&
     const bool front_on_edge = k > 0 || stroke.front_hit;
     const bool back_on_edge = k + 1 == ranges.size() && stroke.back_hit;
     const PieceLine line = piece_line(edit.net(), stroke, ranges[k], front_on_edge, back_on_edge);
-    const LineResult result = insert_line(edit, line.from, line.to, line.curve, number);
+    const Fade fade = options.method == Method::smooth ? Fade::smooth : Fade::linear;
+    const LineResult result =
+        insert_line(edit, line.from, line.to, line.curve, {number, line.front, line.back, fade});
     stroke.places[ranges[k].last] = place_on(result, line.back);
     ++outcome.lines;
     outcome.ends_extended += line.extended;
     outcome.patches_split += result.patches_split;
     outcome.curves_moved += result.curves_moved;
     outcome.largest_move_mm = std::max(outcome.largest_move_mm, result.largest_move);
+    for (const auto& [other, move] : result.moved_strokes) {
+      double& moved = outcome.moved_strokes[other];
+      moved = std::max(moved, move);
+    }
   }
 }
 
@@ -44,8 +51,12 @@ StrokeOutcome add_stroke(SurfaceModel& surface, const model::Stroke& stroke, int
   outcome.name = stroke.name;
   try {
     NetEdit edit(surface.net);
-    const PlacedStroke placed = placed_stroke(surface, stroke.points, options.threshold_mm);
+    const bool smooth = options.method == Method::smooth;
+    const PlacedStroke placed =
+        placed_stroke(surface, smooth ? smooth_stroke(stroke.points, options) : stroke.points,
+                      options.threshold_mm, smooth ? Fade::smooth : Fade::linear);
     outcome.points_trimmed = placed.trimmed;
+    outcome.drawn = placed.points;
     insert(edit, placed, number, options, outcome);
     surface.index.update(surface.net, touched_patches(edit), edit.moved_edges());
     edit.commit();

@@ -13,6 +13,9 @@ namespace bodyline::strokes {
 /// over an equilateral triangle of side 1.
 Net base_net(std::vector<Points> loop);
 
+/// The same over curves that are given, from corner to corner.
+Net base_net(const std::vector<model::SplineCurve>& loop);
+
 /// The corners of the domain: the unit square, or the triangle.
 Polygon base_domain(std::size_t sides);
 

@@ -26,7 +26,7 @@ struct Line {
   Vector2d from, to;
   model::SplineCurve curve;
   double first = 0.0, last = 1.0;  // parts of the whole line's parameter
-  int stroke = -1;
+  LineSource source;
   int bends = 0;
 };
 
@@ -38,7 +38,7 @@ Line part_of(const Line& line, double first, double last, const Vector2d& from,
           model::curve_part(line.curve, first, last),
           line.first + first * length,
           line.first + last * length,
-          line.stroke,
+          line.source,
           line.bends + 1};
 }
 
@@ -92,7 +92,7 @@ Bend find_bend(const Net& net, const LineBreaks& breaks) {
 }
 
 // Pulls what the line meets at a break onto the curve, and makes a vertex of it.
-int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, LineResult& result) {
+int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, Fade fade, LineResult& result) {
   const Net& net = edit.net();
   const Vector3d there = spot.vertex >= 0 ? net.vertices[spot.vertex].point
                                           : model::curve_point(net.edges[spot.edge].curve, spot.t);
@@ -101,10 +101,16 @@ int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, LineResult& res
     const bool outer = spot.vertex >= 0 ? is_outer(net, net.vertices[spot.vertex])
                                         : is_outer(net.edges[spot.edge]);
     if (outer) throw StrokeRejected(Rejection::boundary_gap);
+    const std::vector<int> edges =
+        spot.vertex >= 0 ? net.vertices[spot.vertex].edges : std::vector{spot.edge};
+    for (const int edge : edges) {
+      double& moved = result.moved_strokes[net.edges[edge].stroke];
+      moved = std::max(moved, delta.norm());
+    }
     if (spot.vertex >= 0) {
-      pull_vertex(edit, spot.vertex, delta);
+      pull_vertex(edit, spot.vertex, delta, fade);
     } else {
-      pull_edge(edit, spot.edge, spot.t, delta);
+      pull_edge(edit, spot.edge, spot.t, delta, fade);
     }
     ++result.curves_moved;
     result.largest_move = std::max(result.largest_move, delta.norm());
@@ -120,16 +126,26 @@ model::SplineCurve between(const Net& net, const Line& line, double from, double
   return part;
 }
 
+void mark_drawn(Edge& edge, const Line& line, double from, double to) {
+  const double length = line.last - line.first;
+  const auto part = [&](double of_whole) {
+    return std::clamp(((of_whole - line.first) / length - from) / (to - from), 0.0, 1.0);
+  };
+  edge.drawn_from = part(line.source.drawn_from);
+  edge.drawn_to = part(line.source.drawn_to);
+}
+
 void split_along(NetEdit& edit, const Line& line, const LineBreaks& breaks, LineResult& result) {
   std::vector<int> vertices;
   for (std::size_t k = 0; k < breaks.at.size(); ++k)
-    vertices.push_back(
-        meet(edit, breaks.spots[k], model::curve_point(line.curve, breaks.at[k]), result));
+    vertices.push_back(meet(edit, breaks.spots[k], model::curve_point(line.curve, breaks.at[k]),
+                            line.source.fade, result));
   for (std::size_t k = 0; k < breaks.patches.size(); ++k) {
     const int first = vertices[k], last = vertices[k + 1];
     const int edge = split_patch(
         edit, breaks.patches[k], first, last,
-        between(edit.net(), line, breaks.at[k], breaks.at[k + 1], first, last), line.stroke);
+        between(edit.net(), line, breaks.at[k], breaks.at[k + 1], first, last), line.source.stroke);
+    mark_drawn(edit.edge(edge), line, breaks.at[k], breaks.at[k + 1]);
     halve_pentagon(edit, edge);
     ++result.patches_split;
   }
@@ -172,11 +188,11 @@ Vector2d place_on(const LineResult& line, double part) {
 }
 
 LineResult insert_line(NetEdit& edit, const Vector2d& from, const Vector2d& to,
-                       const model::SplineCurve& curve, int stroke) {
+                       const model::SplineCurve& curve, const LineSource& source) {
   LineResult result;
   result.parts = {0.0};
   result.places = {from};
-  insert(edit, {from, to, curve, 0.0, 1.0, stroke, 0}, result);
+  insert(edit, {from, to, curve, 0.0, 1.0, source, 0}, result);
   return result;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "strokes/net_edit.hpp"
+#include "strokes/pull.hpp"
 
 namespace bodyline::strokes {
 
@@ -12,8 +14,17 @@ struct LineResult {
   std::vector<double> parts;
   std::vector<Eigen::Vector2d> places;
   int patches_split = 0;
-  int curves_moved = 0;       ///< earlier curves and vertices that gave way
-  double largest_move = 0.0;  ///< of them, mm
+  int curves_moved = 0;                 ///< earlier curves and vertices that gave way
+  double largest_move = 0.0;            ///< of them, mm
+  std::map<int, double> moved_strokes;  ///< by number, and by how much at most; mm
+};
+
+/// What the curve of a line is.
+struct LineSource {
+  int stroke = -1;  ///< that it belongs to
+  /// The part of it that was drawn; the rest leads on to edges.
+  double drawn_from = 0.0, drawn_to = 1.0;
+  Fade fade = Fade::linear;  ///< of the moves of what it pulls
 };
 
 /// Where on a line's pre-image the curve's parameter is `part`.
@@ -26,6 +37,6 @@ Eigen::Vector2d place_on(const LineResult& line, double part);
 /// anew. Passing a vertex so close that a sliver would be cut off, the line is bent through it.
 /// Throws StrokeRejected, and may then leave the edit half done.
 LineResult insert_line(NetEdit& edit, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                       const model::SplineCurve& curve, int stroke);
+                       const model::SplineCurve& curve, const LineSource& source);
 
 }  // namespace bodyline::strokes

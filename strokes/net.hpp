@@ -14,19 +14,10 @@
 /// where several meet in a side, patches of the other side end.
 namespace bodyline::strokes {
 
-/// The surface at a vertex: its unit normal, to the side from which the domain is seen
-/// counter-clockwise, and its second fundamental form as a bilinear form of vectors in space, zero
-/// along the normal. Used where patches join smoothly.
-struct Frame {
-  Eigen::Vector3d normal{0.0, 0.0, 0.0};
-  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  ///< 1/mm; positive where it bends to the normal
-};
-
 struct Vertex {
   Eigen::Vector2d place;   ///< in the domain
   Eigen::Vector3d point;   ///< mm
   std::vector<int> edges;  ///< that begin or end here
-  Frame frame = {};
 };
 
 struct Edge {
@@ -34,8 +25,11 @@ struct Edge {
   model::SplineCurve curve;   ///< mm
   int left = -1, right = -1;  ///< patches; -1 beyond the outer boundary
   int stroke = -1;            ///< number of the stroke it is a part of; -1 of the boundary
-  /// Where patches join smoothly: along the curve a derivative of the surface to the left of it,
-  /// about as long as the curve's own and square to it; spans the tangent planes with that. Without
+  /// The part of it that was drawn; the rest leads on to the next edge. None where the first is not
+  /// below the second.
+  double drawn_from = 0.0, drawn_to = 0.0;
+  /// Where patches join smoothly: along the curve the derivative of the surface by the pre-image
+  /// turned left by a right angle; spans the tangent planes with that by the pre-image. Without
   /// points where patches only meet.
   model::SplineCurve across = {1, {0.0, 1.0}, {}};
 };

@@ -93,6 +93,7 @@ PieceLine piece_line(const Net& net, const PlacedStroke& stroke, const SampleRan
     polyline.add(first + fractions[k] * (last - first), stroke.points[range.first + k]);
   for (std::size_t k = 0; k < back.places.size(); ++k)
     polyline.add(polyline.part(back.places[k]), back.points[k]);
+  line.front = first;
   line.back = last;
   line.curve = polyline.finish();
   return line;

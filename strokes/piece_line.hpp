@@ -10,8 +10,8 @@ namespace bodyline::strokes {
 struct PieceLine {
   Eigen::Vector2d from{0.0, 0.0}, to{0.0, 0.0};
   model::SplineCurve curve;
-  double back = 1.0;  ///< part of the line at the last sample of the piece
-  int extended = 0;   ///< ends that lay inside a patch
+  double front = 0.0, back = 1.0;  ///< parts of the line at the first and last sample of the piece
+  int extended = 0;                ///< ends that lay inside a patch
 };
 
 /// The line of a piece of a stroke. An end inside a patch is carried on to the boundary of the

@@ -5,12 +5,19 @@
 /// How earlier curves give way to a new stroke that passes them at a distance (section 3, step 4).
 namespace bodyline::strokes {
 
-/// Moves an edge so that it passes through its point at t plus `delta`: every point by w delta,
-/// w = tau / t before t and (1 - tau) / (1 - t) behind. The ends stay.
-void pull_edge(NetEdit& edit, int edge, double t, const Eigen::Vector3d& delta);
+/// How a move fades along an edge.
+enum class Fade {
+  linear,  ///< as the paper has it: w
+  smooth   ///< without kinks: w^2 (3 - 2 w)
+};
+
+/// Moves an edge so that it passes through its point at t plus `delta`: every point by w delta
+/// (faded), w = tau / t before t and (1 - tau) / (1 - t) behind. The ends stay.
+void pull_edge(NetEdit& edit, int edge, double t, const Eigen::Vector3d& delta,
+               Fade fade = Fade::linear);
 
 /// Moves a vertex by `delta`, and the edges that meet there by w delta, where w falls linearly from
 /// 1 at the vertex to 0 at their other ends.
-void pull_vertex(NetEdit& edit, int vertex, const Eigen::Vector3d& delta);
+void pull_vertex(NetEdit& edit, int vertex, const Eigen::Vector3d& delta, Fade fade = Fade::linear);
 
 }  // namespace bodyline::strokes

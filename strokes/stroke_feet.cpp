@@ -62,6 +62,23 @@ Vector2d end_place(const SurfaceModel& surface, const std::optional<EndHit>& hit
   return foot.place;
 }
 
+Vector3d move_of(const Points& stroke, const EndHit& hit) {
+  const Vector3d &from = stroke[hit.segment], &to = stroke[hit.segment + 1];
+  return hit.point - (from + hit.part * (to - from));
+}
+
+// The first point has moved; the others follow, up to the middle.
+void follow_end(Points& points, const Vector3d& move) {
+  const double reach = 0.5 * polyline_length(points);
+  double length = 0.0;
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+    length += (points[k] - points[k - 1]).norm();
+    if (length >= reach) break;
+    const double w = 1.0 - length / reach;
+    points[k] += w * w * (3.0 - 2.0 * w) * move;
+  }
+}
+
 Points usable(const Points& points, double threshold) {
   if (!all_finite(points)) throw StrokeRejected(Rejection::not_finite);
   const Points kept = filtered(points, threshold);
@@ -73,13 +90,20 @@ Points usable(const Points& points, double threshold) {
 
 }  // namespace
 
-PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, double threshold) {
+PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, double threshold,
+                           Fade fade) {
   const Points kept = usable(points, threshold);
   const Points backwards(kept.rbegin(), kept.rend());
   const auto front = snap_end(surface.net, surface.index, kept, threshold);
   const auto back = snap_end(surface.net, surface.index, backwards, threshold);
   PlacedStroke stroke{trimmed(kept, front, back), {}, front.has_value(), back.has_value(), 0};
   if (stroke.points.size() < 2) throw StrokeRejected(Rejection::nothing_left);
+  if (fade == Fade::smooth) {
+    if (front) follow_end(stroke.points, move_of(kept, *front));
+    std::reverse(stroke.points.begin(), stroke.points.end());
+    if (back) follow_end(stroke.points, move_of(backwards, *back));
+    std::reverse(stroke.points.begin(), stroke.points.end());
+  }
   for (const auto& hit : {front, back})
     if (hit) stroke.trimmed += static_cast<int>(hit->segment) + (hit->part > 0.0 ? 1 : 0);
   stroke.places.push_back(end_place(surface, front, stroke.points.front()));

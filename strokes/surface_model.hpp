@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,19 @@
 
 namespace bodyline::strokes {
 
+/// How strokes make a surface.
+enum class Method {
+  smooth,  ///< strokes are fitted within a tolerance, patches join with one tangent plane
+  paper    ///< strokes are polylines, patches meet in creases
+};
+
 /// Lengths of the domain and in space by which strokes are judged.
 struct StrokeOptions {
   double threshold_mm = 0.0;         ///< points closer are one; ends closer to a curve are on it
   double straightness = 0.02;        ///< farthest a pre-image may lie from its line, of the domain
   double loose_straightness = 0.15;  ///< the same for strokes that begin and end on curves
+  Method method = Method::paper;
+  double tolerance_mm = 0.0;  ///< smooth only: largest distance of a stroke from its curve
 };
 
 /// What became of a stroke.
@@ -25,8 +34,12 @@ struct StrokeOutcome {
   int patches_split = 0;
   int curves_moved = 0;  ///< earlier curves and vertices that gave way to it
   double largest_move_mm = 0.0;
-  int ends_extended = 0;   ///< ends, of all pieces, that lay inside a patch
-  int points_trimmed = 0;  ///< beyond the curves it begins and ends on
+  int ends_extended = 0;                ///< ends, of all pieces, that lay inside a patch
+  int points_trimmed = 0;               ///< beyond the curves it begins and ends on
+  std::vector<Eigen::Vector3d> drawn;   ///< what of it is left, as it was inserted; mm
+  std::map<int, double> moved_strokes;  ///< earlier strokes that gave way, by number; mm
+  double gave_way_mm = 0.0;             ///< to later strokes
+  double deviation_mm = 0.0;            ///< largest distance of `drawn` from the finished surface
 };
 
 /// A surface that grows stroke by stroke.

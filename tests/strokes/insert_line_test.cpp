@@ -38,7 +38,7 @@ struct Flat {
       return Vector3d(above(from + t * (to - from)) + Vector3d(0, 0, 4 * t * (1 - t) * rise));
     });
     NetEdit edit(net);
-    insert_line(edit, from, to, model::polyline_curve(index_parameters(9), points), 0);
+    insert_line(edit, from, to, model::polyline_curve(index_parameters(9), points), {.stroke = 0});
     edit.commit();
   }
 
@@ -194,7 +194,7 @@ TEST(InsertLine, RefusesToMeetTheBoundaryElsewhereInSpace) {
   NetEdit edit(flat.net);
   const auto curve = model::polyline_curve({0, 1}, {{50, 0, 3}, {50, 60, 0}});
   try {
-    insert_line(edit, {0.5, 0}, {0.5, 1}, curve, 0);
+    insert_line(edit, {0.5, 0}, {0.5, 1}, curve, {.stroke = 0});
     FAIL();
   } catch (const StrokeRejected& rejected) {
     EXPECT_EQ(rejected.rejection(), Rejection::boundary_gap);

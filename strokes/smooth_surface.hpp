@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "strokes/net.hpp"
+#include "strokes/points.hpp"
+
+/// The smooth method: strokes are inserted into a net of polylines by the paper's rules, which find
+/// all patches; then the net is laid on one smooth carrier that passes the strokes.
+namespace bodyline::strokes {
+
+/// The boundary as cubic B-splines within half the tolerance.
+struct SmoothBoundary {
+  std::vector<model::SplineCurve> curves;
+  double deviation_mm = 0.0;  ///< largest distance of its strokes' points from them
+};
+SmoothBoundary smooth_boundary(const std::vector<Points>& loop, double tolerance_mm);
+
+/// The net of one patch over polylines that follow curves, for strokes to be inserted.
+Net coarse_net(const std::vector<model::SplineCurve>& boundary, double tolerance_mm);
+
+/// A net on its carrier.
+struct SmoothSurface {
+  Net net;
+  int cells = 0;          ///< of the carrier's grid, per direction
+  double fairness = 0.0;  ///< weight of its energy
+};
+
+/// Lays a net that grew from coarse_net() on a carrier within half the tolerance of all that was
+/// drawn; what edges have beyond that, extensions and cuts, follows. When `fair` the carrier is as
+/// fair as the tolerance allows.
+SmoothSurface smooth_surface(const Net& net, const std::vector<model::SplineCurve>& boundary,
+                             double tolerance_mm, bool fair);
+
+}  // namespace bodyline::strokes
