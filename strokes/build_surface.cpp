@@ -77,8 +77,8 @@ SurfaceBuild build_surface(const std::vector<model::Stroke>& strokes, const Buil
                      {},
                      {}};
   insert_all(build, strokes, loop.members, stroke_options);
-  const SmoothSurface smooth =
-      smooth_surface(build.surface.net, boundary.curves, tolerance, options.fair);
+  const SmoothSurface smooth = smooth_surface(build.surface.net, boundary.curves,
+                                              {.tolerance_mm = tolerance, .fair = options.fair});
   build.surface = SurfaceModel(smooth.net);
   build.smooth = SmoothReport{tolerance, smooth.cells, smooth.fairness, boundary.deviation_mm};
   measure_deviations(build);

@@ -116,6 +116,7 @@ CarrierFit fit_carrier(const SurfaceFunction& base, const Polygon& domain, Sampl
   const SurfaceFunction drawn = [start](const Vector2d& place) { return start.jet(place); };
   find_feet(start, samples);
   CarrierFit best{start, first_cells, 0.0, deviation(start, samples)};
+  if (!options.slides && best.deviation_mm <= options.tolerance_mm) return best;
   for (int cells = first_cells; cells <= options.most_cells; cells *= 2) {
     GridSearch search(drawn, {domain, options.border_order, cells}, options.tolerance_mm);
     Samples moved = samples;

@@ -10,7 +10,9 @@ struct CarrierOptions {
   double tolerance_mm = 1.0;  ///< largest distance of a sample from the carrier
   bool fair = false;          ///< as fair as the tolerance allows, rather than as close
   int border_order = 1;       ///< 2: tangent planes along the border stay
-  bool slides = true;         ///< the base may slide along itself so that places get their points
+  /// The base may slide along itself so that places get their points, and gives way to a fairer
+  /// surface; else it is left alone where samples do not call for more.
+  bool slides = true;
   int most_cells = 64;        ///< of the grid, per direction
 };
 

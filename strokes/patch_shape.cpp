@@ -55,8 +55,8 @@ struct Grid {
 
 }  // namespace
 
-PatchShape::PatchShape(Polygon corners, Sides sides)
-    : corners_(std::move(corners)), sides_(std::move(sides)) {
+PatchShape::PatchShape(Polygon corners, Sides sides, std::shared_ptr<const InnerSpline> inner)
+    : corners_(std::move(corners)), sides_(std::move(sides)), inner_(std::move(inner)) {
   const int blends = sides_.has_ribbons ? 4 : 2;
   // Corner data (k in s, l in t): the s-data of what l multiplies, at the end that k is about.
   for (int k = 0; k < blends; ++k) {
@@ -72,6 +72,7 @@ PatchShape::PatchShape(Polygon corners, Sides sides)
 Vector3d PatchShape::point(const Eigen::Vector2d& st) const {
   const int blends = sides_.has_ribbons ? 4 : 2;
   Vector3d sum = Vector3d::Zero();
+  if (inner_) sum = inner_->jet(st[0], st[1]).row(0).transpose();
   double in_s[4], in_t[4];
   for (int k = 0; k < blends; ++k) {
     in_s[k] = model::bezier_jet(blend_rows[k], blend_degree, st[0])[0];
@@ -115,6 +116,10 @@ PatchJet PatchShape::jet(const Eigen::Vector2d& st) const {
     }
     for (int l = 0; l < blends; ++l) add(in_s[k], in_t[l], -corner_data_(k, l));
   }
+  if (!inner_) return jet;
+  const Eigen::Matrix<double, 6, 3> inside = inner_->jet(st[0], st[1]);
+  Vector3d* const parts[6] = {&jet.point, &jet.s, &jet.t, &jet.ss, &jet.st, &jet.tt};
+  for (int k = 0; k < 6; ++k) *parts[k] += inside.row(k).transpose();
   return jet;
 }
 
@@ -129,13 +134,21 @@ model::SplineFace PatchShape::spline_face() const {
     grid_s.hold(blended(sides_, side_in_t, k));
     grid_t.hold(blended(sides_, side_in_s, k));
   }
+  if (inner_) {
+    grid_s.breaks = model::merged_breaks(grid_s.breaks, inner_->breaks());
+    grid_t.breaks = model::merged_breaks(grid_t.breaks, inner_->breaks());
+  }
   model::SplineFace face;
   face.degree_u = grid_s.degree;
   face.degree_v = grid_t.degree;
   face.breaks_u = grid_s.breaks;
   face.breaks_v = grid_t.breaks;
   const int count_u = face.count_u(), count_v = face.count_v();
-  face.net.assign(static_cast<std::size_t>(count_u) * count_v, Vector3d::Zero());
+  if (inner_) {
+    face.net = inner_->points(face.degree_u, face.breaks_u, face.degree_v, face.breaks_v);
+  } else {
+    face.net.assign(static_cast<std::size_t>(count_u) * count_v, Vector3d::Zero());
+  }
   std::array<std::vector<double>, 4> blend_s, blend_t;
   for (int k = 0; k < blends; ++k) {
     blend_s[k] = blend_points(k, face.breaks_u, face.degree_u);

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 
 #include "model/face_net.hpp"
 #include "model/spline_curve.hpp"
+#include "strokes/inner_spline.hpp"
 #include "strokes/polygon.hpp"
 
 namespace bodyline::strokes {
@@ -19,7 +21,8 @@ struct PatchJet {
 ///   S = sum_k f_k(t) P(s,k) + sum_k f_k(s) P(k,t) - sum_kl f_k(s) f_l(t) P(k,l),
 ///   f_0 = 2x^3 - 3x^2 + 1, f_1 = 3x^2 - 2x^3.
 /// With ribbons, which give the derivatives across the sides, it has those too: the same sum with
-/// the two cubics that blend derivatives. Never changes once made.
+/// the two cubics that blend derivatives. A displacement inside, which leaves sides and ribbons as
+/// they are, may be added. Never changes once made.
 class PatchShape {
  public:
   /// Sides and ribbons in the order t = 0, s = 1, t = 1, s = 0, each in the direction of growing s
@@ -32,7 +35,7 @@ class PatchShape {
   };
 
   /// `corners` are those of the domain, three or four, as patch_map.hpp takes them.
-  PatchShape(Polygon corners, Sides sides);
+  PatchShape(Polygon corners, Sides sides, std::shared_ptr<const InnerSpline> inner = nullptr);
 
   const Polygon& corners() const { return corners_; }
   const Sides& sides() const { return sides_; }
@@ -49,6 +52,7 @@ class PatchShape {
  private:
   Polygon corners_;
   Sides sides_;
+  std::shared_ptr<const InnerSpline> inner_;
   Eigen::Matrix<Eigen::Vector3d, 4, 4> corner_data_;  // by blending function in s and in t
 };
 

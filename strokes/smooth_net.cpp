@@ -12,7 +12,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using model::SplineCurve;
 
-constexpr double whole = 1e-9;  // a parameter this close to an end is the end
+constexpr double inner_share = 4.0;  // of what edges may be off
+constexpr double whole = 1e-9;       // a parameter this close to an end is the end
 
 /// Part of a side of the domain.
 struct SidePart {
@@ -77,7 +78,8 @@ Net smooth_net(Net net, const Carrier& carrier, const Border& border, double tol
     edge.curve.points.front() = net.vertices[edge.start].point;
     edge.curve.points.back() = net.vertices[edge.end].point;
   }
-  for (Patch& patch : net.patches) patch.shape = smooth_shape(net, patch);
+  for (Patch& patch : net.patches)
+    patch.shape = smooth_shape(net, patch, carrier, inner_share * tolerance_mm);
   return net;
 }
 

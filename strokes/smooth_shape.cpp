@@ -1,6 +1,6 @@
 #include "strokes/smooth_shape.hpp"
 
-#include "strokes/coons_shape.hpp"
+#include "strokes/patch_map.hpp"
 
 namespace bodyline::strokes {
 namespace {
@@ -8,6 +8,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using model::SplineCurve;
+
+// Of the displacement inside a patch, per direction.
+constexpr int fewest_cells = 2, most_cells = 32;
 
 /// A side in the direction of growing s or t.
 struct SmoothSide {
@@ -91,12 +94,80 @@ PatchShape::Sides triangle(const Net& net, const Patch& patch) {
   return result;
 }
 
+/// What the carrier has over the parameters of a patch.
+struct OnCarrier {
+  const Carrier& carrier;
+  const Polygon& corners;
+
+  Vector3d point(double s, double t) const { return carrier.jet(to_domain(corners, {s, t})).point; }
+  InnerSpline::Node node(double s, double t) const {
+    const Vector2d low = corners[1] - corners[0],
+                   high = corners.size() == 3 ? Vector2d(0.0, 0.0) : corners[2] - corners[3],
+                   left = corners.back() - corners[0];
+    const Vector2d by_s = (1.0 - t) * low + t * high, twist = high - low, by_t = left + s * twist;
+    const PatchJet jet = carrier.jet(to_domain(corners, {s, t}));
+    const auto along = [&jet](const Vector2d& d) {
+      return Vector3d(d.x() * jet.s + d.y() * jet.t);
+    };
+    return {jet.point, along(by_s), along(by_t),
+            by_s.x() * by_t.x() * jet.ss + (by_s.x() * by_t.y() + by_s.y() * by_t.x()) * jet.st +
+                by_s.y() * by_t.y() * jet.tt + along(twist)};
+  }
+};
+
+// About as many cells as the carrier has over the patch, by powers of two.
+int finest_cells(const Polygon& corners, const Carrier& carrier) {
+  Vector2d low = corners.front(), high = corners.front();
+  for (const Vector2d& corner : corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const double wanted = (high - low).maxCoeff() * carrier.basis().cells;
+  int cells = fewest_cells;
+  while (cells < wanted && cells < most_cells) cells *= 2;
+  return cells;
+}
+
+// Tested between the nodes of a grid.
+bool follows(const PatchShape& shape, const OnCarrier& on_carrier, int cells, double tolerance_mm) {
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      const double s = (i + 0.5) / cells, t = (j + 0.5) / cells;
+      if ((shape.point({s, t}) - on_carrier.point(s, t)).norm() > tolerance_mm) return false;
+    }
+  }
+  return true;
+}
+
+std::shared_ptr<const InnerSpline> inner_spline(const PatchShape& shape,
+                                                const OnCarrier& on_carrier, int cells) {
+  return std::make_shared<const InnerSpline>(cells, [&](double s, double t) {
+    InnerSpline::Node node = on_carrier.node(s, t);
+    const PatchJet jet = shape.jet({s, t});
+    node.value -= jet.point;
+    node.s -= jet.s;
+    node.t -= jet.t;
+    node.st -= jet.st;
+    return node;
+  });
+}
+
 }  // namespace
 
-std::shared_ptr<const PatchShape> smooth_shape(const Net& net, const Patch& patch) {
-  return std::make_shared<const PatchShape>(polygon(net, patch), patch.sides.size() == 3
-                                                                     ? triangle(net, patch)
-                                                                     : quadrilateral(net, patch));
+std::shared_ptr<const PatchShape> smooth_shape(const Net& net, const Patch& patch,
+                                               const Carrier& carrier, double tolerance_mm) {
+  const Polygon corners = polygon(net, patch);
+  const PatchShape::Sides sides =
+      patch.sides.size() == 3 ? triangle(net, patch) : quadrilateral(net, patch);
+  const OnCarrier on_carrier{carrier, corners};
+  const PatchShape bare(corners, sides);
+  auto shape = std::make_shared<const PatchShape>(bare);
+  const int finest = finest_cells(corners, carrier);
+  for (int cells = fewest_cells;
+       cells <= finest && !follows(*shape, on_carrier, finest, tolerance_mm); cells *= 2)
+    shape =
+        std::make_shared<const PatchShape>(corners, sides, inner_spline(bare, on_carrier, cells));
+  return shape;
 }
 
 }  // namespace bodyline::strokes

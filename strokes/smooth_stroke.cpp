@@ -30,9 +30,10 @@ std::vector<double> chord_parameters(const model::SplineCurve& curve, double sag
 
 Points smooth_stroke(const Points& points, const StrokeOptions& options) {
   if (!all_finite(points)) return points;
-  Points kept = filtered(points, options.tolerance_mm);
+  const bool turned = points.size() > 1 && comes_first(points.back(), points.front());
+  const Points kept =
+      filtered(turned ? Points(points.rbegin(), points.rend()) : points, options.tolerance_mm);
   if (kept.size() < 2 || !(polyline_length(kept) > 0.0)) return points;
-  if (comes_first(kept.back(), kept.front())) std::reverse(kept.begin(), kept.end());
   const StrokeFit fit = fit_stroke(kept, fitted_part * options.tolerance_mm);
   Points result;
   for (const double t : chord_parameters(fit.curve, sag_part * options.tolerance_mm, fewest_chords))

@@ -59,13 +59,14 @@ Net coarse_net(const std::vector<model::SplineCurve>& boundary, double tolerance
 }
 
 SmoothSurface smooth_surface(const Net& net, const std::vector<model::SplineCurve>& boundary,
-                             double tolerance_mm, bool fair) {
-  CarrierOptions options;
-  options.tolerance_mm = carried_part * tolerance_mm;
-  options.fair = fair;
+                             const SmoothOptions& options) {
+  CarrierOptions carrier;
+  carrier.tolerance_mm = carried_part * options.tolerance_mm;
+  carrier.fair = options.fair;
+  carrier.most_cells = options.most_cells;
   const CarrierFit fit = fit_carrier(blended_surface(boundary), base_domain(boundary.size()),
-                                     drawn_samples(net), options);
-  return {smooth_net(net, fit.carrier, {boundary}, edge_part * tolerance_mm), fit.cells,
+                                     drawn_samples(net), carrier);
+  return {smooth_net(net, fit.carrier, {boundary}, edge_part * options.tolerance_mm), fit.cells,
           fit.fairness};
 }
 

@@ -19,6 +19,12 @@ SmoothBoundary smooth_boundary(const std::vector<Points>& loop, double tolerance
 /// The net of one patch over polylines that follow curves, for strokes to be inserted.
 Net coarse_net(const std::vector<model::SplineCurve>& boundary, double tolerance_mm);
 
+struct SmoothOptions {
+  double tolerance_mm = 1.0;  ///< largest distance of what was drawn last from the surface
+  bool fair = false;          ///< as fair as the tolerance allows, rather than as close
+  int most_cells = 64;        ///< of the carrier's grid, per direction
+};
+
 /// A net on its carrier.
 struct SmoothSurface {
   Net net;
@@ -27,9 +33,8 @@ struct SmoothSurface {
 };
 
 /// Lays a net that grew from coarse_net() on a carrier within half the tolerance of all that was
-/// drawn; what edges have beyond that, extensions and cuts, follows. When `fair` the carrier is as
-/// fair as the tolerance allows.
+/// drawn; what edges have beyond that, extensions and cuts, follows.
 SmoothSurface smooth_surface(const Net& net, const std::vector<model::SplineCurve>& boundary,
-                             double tolerance_mm, bool fair);
+                             const SmoothOptions& options);
 
 }  // namespace bodyline::strokes

@@ -65,6 +65,60 @@ model::Stroke random_stroke(model::Random& random) {
           })};
 }
 
+GentleDrawing::GentleDrawing(std::uint64_t seed) : random_(seed) {
+  triangle_ = random_.uniform() < 0.25;
+  corners_ = triangle_ ? Points{{0, 0, 0}, {1000, 0, 0}, {500, 800, 0}}
+                       : Points{{0, 0, 0}, {1000, 0, 0}, {1000, 700, 0}, {0, 700, 0}};
+  for (Vector3d& corner : corners_)
+    corner += 80.0 * Vector3d(random_.uniform() - 0.5, random_.uniform() - 0.5, 0.0);
+  for (double& wave : waves_) wave = 2.0 * random_.uniform() - 1.0;
+}
+
+// Waves of 40 mm height and 800 mm length or more.
+Vector3d GentleDrawing::on_surface(double x, double y) {
+  return {x, y,
+          40.0 * std::sin(0.0035 * x + 3.0 * waves_[0]) * std::sin(0.004 * y + 3.0 * waves_[1]) +
+              30.0 * waves_[2] * std::cos(0.006 * (x + waves_[3] * y)) +
+              1e-4 * (waves_[4] * x * x + waves_[5] * y * y)};
+}
+
+Vector3d GentleDrawing::noisy(const Vector3d& point) {
+  const auto noise = [this] { return 0.5 * gentle_noise_mm * (2.0 * random_.uniform() - 1.0); };
+  return point + Vector3d(noise(), noise(), noise()) / std::sqrt(3.0);
+}
+
+std::vector<Points> GentleDrawing::boundary() {
+  std::vector<Points> loop;
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Vector3d from = corners_[k], to = corners_[(k + 1) % corners_.size()];
+    loop.push_back(sampled(40, [&](double t) {
+      const Vector3d at = (1.0 - t) * from + t * to;
+      return on_surface(at.x(), at.y());
+    }));
+  }
+  return loop;
+}
+
+model::Stroke GentleDrawing::stroke() {
+  const auto inside = [this] {
+    Vector3d sum = Vector3d::Zero();
+    double whole = 0.0;
+    for (const Vector3d& corner : corners_) {
+      const double weight = 0.1 + random_.uniform();
+      sum += weight * corner;
+      whole += weight;
+    }
+    return Vector3d(sum / whole);
+  };
+  const Vector3d from = inside(), to = inside();
+  const Vector3d aside(from.y() - to.y(), to.x() - from.x(), 0.0);
+  const double bend = 0.2 * (random_.uniform() - 0.5);
+  return {"stroke", sampled(30, [&](double t) {
+            const Vector3d at = (1.0 - t) * from + t * to + 4.0 * t * (1.0 - t) * bend * aside;
+            return noisy(on_surface(at.x(), at.y()));
+          })};
+}
+
 strokes::SurfaceModel random_surface(std::uint64_t seed, int strokes) {
   model::Random random(seed);
   strokes::SurfaceModel surface(strokes::base_net(random_boundary(random)));

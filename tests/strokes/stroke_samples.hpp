@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -26,6 +27,26 @@ std::vector<Points> random_boundary(model::Random& random);
 /// A stroke over such a boundary: it may be straight or bent, lie on the surface or above it, and
 /// end anywhere, also outside.
 model::Stroke random_stroke(model::Random& random);
+
+/// A smooth boundary of three or four sides in a surface of low waves, about 1000 mm across, and
+/// strokes over it; all points are within half of `gentle_noise_mm` of the surface. `random` is
+/// used for the waves first, so that a boundary and strokes of one seed belong together.
+class GentleDrawing {
+ public:
+  explicit GentleDrawing(std::uint64_t seed);
+  std::vector<Points> boundary();
+  model::Stroke stroke();
+
+ private:
+  Eigen::Vector3d on_surface(double x, double y);
+  Eigen::Vector3d noisy(const Eigen::Vector3d& point);
+
+  model::Random random_;
+  bool triangle_ = false;
+  Points corners_;
+  std::array<double, 6> waves_{};
+};
+inline constexpr double gentle_noise_mm = 0.2;
 
 /// What a random boundary and strokes make; thresholds of 6 mm.
 strokes::SurfaceModel random_surface(std::uint64_t seed, int strokes);
