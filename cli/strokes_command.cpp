@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,9 +15,11 @@
 #include "cli/picture_options.hpp"
 #include "cli/print_json.hpp"
 #include "cli/progress.hpp"
+#include "cli/refine_model.hpp"
 #include "cli/strokes_report.hpp"
 #include "io/export_net.hpp"
 #include "io/picture.hpp"
+#include "io/read_model.hpp"
 #include "io/read_strokes.hpp"
 #include "io/render.hpp"
 #include "strokes/face_net.hpp"
@@ -28,6 +31,7 @@ struct Request {
   std::vector<std::string> inputs;
   Output output;
   strokes::BuildOptions build;
+  std::string refine, patch;
   std::string picture, map = "shade";
   PictureRequest view;
   double mesh_tolerance_mm = io::ExportOptions{}.tolerance_mm;
@@ -49,6 +53,10 @@ void check_request(const Request& request) {
   const bool smooth = request.build.method == strokes::Method::smooth;
   if (!smooth && (request.build.fair || request.build.tolerance_mm))
     throw std::invalid_argument("--fair and --within belong to the smooth method");
+  if (request.refine.empty() != request.patch.empty())
+    throw std::invalid_argument("--refine and --patch go together");
+  if (!request.refine.empty() && !request.build.boundary.empty())
+    throw std::invalid_argument("a refined patch has its own boundary: leave out --boundary");
   check_output(request.output, request.inputs.front(), io::export_extensions());
   if (request.picture.empty()) return;
   check_output({request.picture, request.output.overwrite}, request.inputs.front(), {".png"});
@@ -68,44 +76,75 @@ void draw(Context& context, const Request& request, const model::FaceNet& net) {
 // patches join smoothly.
 constexpr double allowed_gap_mm = 1e-6, allowed_angle_deg = 1e-6, any_angle_deg = 180.0;
 
-double allowed_angle(const strokes::SurfaceBuild& build) {
-  return build.method == strokes::Method::smooth ? allowed_angle_deg : any_angle_deg;
+/// The surface that was made, and what is to be said of it.
+struct Made {
+  std::vector<model::Stroke> strokes;
+  std::optional<strokes::SurfaceBuild> build;
+  model::FaceNet net;
+  StrokesReport report;
+};
+
+void make_surface(Context& context, const Request& request, Made& made) {
+  {
+    const Progress progress(context, "inserting strokes");
+    made.build = strokes::build_surface(made.strokes, request.build);
+  }
+  made.net = strokes::face_net(made.build->surface.net,
+                               std::filesystem::path(request.inputs.front()).stem().string());
+  const Progress progress(context, "checking the surface");
+  made.report.check = model::check_face_net(made.net);
+  made.report.findings =
+      model::face_net_findings(made.net, made.report.check, allowed_gap_mm,
+                               made.build->smooth ? allowed_angle_deg : any_angle_deg);
+}
+
+void refine(Context& context, const Request& request, Made& made) {
+  const Progress progress(context, "refining " + request.patch);
+  RefinedModel refined =
+      refine_model(io::read_model(request.refine), request.patch, made.strokes, request.build);
+  made.report.check = std::move(refined.check);
+  made.report.refined = {request.patch, refined.border_before_deg, refined.border_deg};
+  made.report.findings =
+      model::face_net_findings(refined.net, made.report.check, allowed_gap_mm,
+                               std::max(allowed_angle_deg, refined.border_before_deg));
+  made.build = std::move(refined.build);
+  made.net = std::move(refined.net);
+}
+
+void write(Context& context, const Request& request, const Made& made) {
+  const Progress progress(context, "writing " + request.output.path);
+  io::ExportOptions options;
+  options.tolerance_mm = request.mesh_tolerance_mm;
+  options.overwrite = overwrite(request);
+  const bool carries_strokes = std::filesystem::path(request.output.path).extension() == ".json";
+  io::export_net(made.net, request.output.path, options,
+                 carries_strokes ? strokes_document(made.report) : "");
 }
 
 void run(Context& context, const Request& request) {
   check_request(request);
-  const std::vector<model::Stroke> strokes = read_all(request);
-  std::optional<strokes::SurfaceBuild> build;
-  {
-    const Progress progress(context, "inserting strokes");
-    build = strokes::build_surface(strokes, request.build);
-  }
-  const model::FaceNet net = strokes::face_net(
-      build->surface.net, std::filesystem::path(request.inputs.front()).stem().string());
-  StrokesReport report{&strokes, &*build, &net, {}, {}};
-  {
-    const Progress progress(context, "writing " + request.output.path);
-    report.check = model::check_face_net(net);
-    report.findings =
-        model::face_net_findings(net, report.check, allowed_gap_mm, allowed_angle(*build));
-    add_stroke_findings(report);
-    io::ExportOptions options;
-    options.tolerance_mm = request.mesh_tolerance_mm;
-    options.overwrite = overwrite(request);
-    const bool carries_strokes = std::filesystem::path(request.output.path).extension() == ".json";
-    io::export_net(net, request.output.path, options,
-                   carries_strokes ? strokes_document(report) : "");
-  }
-  if (!request.picture.empty()) draw(context, request, net);
-  if (request.json) {
-    print_json(context, strokes_json(report));
+  Made made;
+  made.strokes = read_all(request);
+  if (request.refine.empty()) {
+    make_surface(context, request, made);
   } else {
-    *context.out << request.output.path << ": " << strokes_text(report);
+    refine(context, request, made);
+  }
+  made.report.strokes = &made.strokes;
+  made.report.build = &*made.build;
+  made.report.net = &made.net;
+  add_stroke_findings(made.report);
+  write(context, request, made);
+  if (!request.picture.empty()) draw(context, request, made.net);
+  if (request.json) {
+    print_json(context, strokes_json(made.report));
+  } else {
+    *context.out << request.output.path << ": " << strokes_text(made.report);
   }
   bool rejected = false;
-  for (const auto& outcome : build->outcomes)
+  for (const auto& outcome : made.build->outcomes)
     rejected |= outcome.rejection != strokes::Rejection::none;
-  if (rejected || !report.findings.empty()) context.exit_code = exit_findings;
+  if (rejected || !made.report.findings.empty()) context.exit_code = exit_findings;
 }
 
 }  // namespace
@@ -148,6 +187,14 @@ void add_strokes_command(CLI::App& program, Context& context) {
           "the threshold when left out")
       ->type_name("MM")
       ->check(positive_number());
+  command
+      ->add_option("--refine", request->refine,
+                   "Model of a body; the strokes refine one of its patches, and the whole body is "
+                   "written")
+      ->type_name("MODEL")
+      ->check(CLI::ExistingFile);
+  command->add_option("--patch", request->patch, "Patch to refine, as it is left after its cut")
+      ->type_name("NAME");
   command->add_flag("--fair", request->build.fair, "Smooth: as fair as --within allows");
   command
       ->add_option("--tolerance", request->mesh_tolerance_mm,

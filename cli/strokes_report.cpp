@@ -16,6 +16,8 @@ using Json = nlohmann::ordered_json;
 using strokes::Rejection;
 using strokes::StrokeOutcome;
 
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 std::string plural(int count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -39,7 +41,12 @@ std::string outcome_text(const StrokeOutcome& outcome) {
   return text;
 }
 
-std::string boundary_text(const strokes::BoundaryReport& boundary) {
+std::string boundary_text(const StrokesReport& report) {
+  if (report.refined)
+    return fmt::format("{} refined; normals along its border {:.2g} degrees apart, {:.2g} before\n",
+                       report.refined->name, report.refined->border_deg,
+                       report.refined->border_before_deg);
+  const strokes::BoundaryReport& boundary = report.build->boundary;
   std::string text = fmt::format("boundary {}: {}", boundary.found ? "found" : "named",
                                  fmt::join(boundary.strokes, ", "));
   text += fmt::format("; {} sides, gaps up to {:.3g} mm closed", boundary.sides,
@@ -71,6 +78,13 @@ std::string method_text(const StrokesReport& report) {
       newest_deviation(report), smooth.tolerance_mm, smooth.boundary_deviation_mm);
 }
 
+Json refined_json(const StrokesReport& report) {
+  if (!report.refined) return nullptr;
+  return {{"patch", report.refined->name},
+          {"border_before_deg", finite(report.refined->border_before_deg)},
+          {"border_deg", finite(report.refined->border_deg)}};
+}
+
 Json smooth_json(const StrokesReport& report) {
   if (!report.build->smooth) return nullptr;
   const strokes::SmoothReport& smooth = *report.build->smooth;
@@ -86,8 +100,6 @@ int rejected_count(const StrokesReport& report) {
     count += outcome.rejection == Rejection::none ? 0 : 1;
   return count;
 }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json outcome_json(const StrokeOutcome& outcome) {
   Json json{{"name", outcome.name},
@@ -131,7 +143,7 @@ void add_stroke_findings(StrokesReport& report) {
 }
 
 std::string strokes_text(const StrokesReport& report) {
-  std::string text = boundary_text(report.build->boundary);
+  std::string text = boundary_text(report);
   std::size_t width = 6;
   for (const StrokeOutcome& outcome : report.build->outcomes)
     width = std::max(width, outcome.name.size());
@@ -153,9 +165,10 @@ std::string strokes_text(const StrokesReport& report) {
 
 Json strokes_json(const StrokesReport& report) {
   const strokes::BoundaryReport& boundary = report.build->boundary;
-  const bool smooth = report.build->method == strokes::Method::smooth;
+  const bool smooth = report.build->smooth.has_value();
   Json json{{"method", smooth ? "smooth" : "paper"},
             {"smooth", smooth_json(report)},
+            {"refined", refined_json(report)},
             {"newest_deviation_mm", newest_deviation(report)},
             {"threshold_mm", report.build->threshold_mm},
             {"boundary",

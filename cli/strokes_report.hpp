@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@
 
 namespace bodyline::cli {
 
+/// A patch that was refined, and the largest angles to its neighbours.
+struct RefinedPatch {
+  std::string name;
+  double border_before_deg = 0.0, border_deg = 0.0;
+};
+
 /// What `bodyline strokes` made, for people and for programs.
 struct StrokesReport {
   const std::vector<model::Stroke>* strokes = nullptr;
@@ -18,6 +25,7 @@ struct StrokesReport {
   const model::FaceNet* net = nullptr;
   model::FaceNetCheck check;
   std::vector<std::string> findings;
+  std::optional<RefinedPatch> refined;
 };
 
 /// Adds strokes of the smooth method that the surface misses by more than the tolerance, though no

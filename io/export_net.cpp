@@ -22,6 +22,7 @@ std::string cad_text(const std::string& extension, const model::FaceNet& net,
   const bool iges = extension == ".iges" || extension == ".igs";
   CadFile file = iges ? iges_file(shell, names, net.name) : step_file(shell, names, net.name);
   report.max_deviation_mm = file.max_deviation_mm;
+  report.not_polynomial = std::move(file.not_polynomial);
   return std::move(file.text);
 }
 
@@ -34,9 +35,11 @@ Json face_json(const model::SplineFace& face) {
     for (int j = 0; j < face.count_v(); ++j) row.push_back(point_json(face.point(i, j)));
     net.push_back(std::move(row));
   }
-  return {{"degree", {face.degree_u, face.degree_v}},
-          {"breaks", {face.breaks_u, face.breaks_v}},
-          {"net", std::move(net)}};
+  Json json{{"degree", {face.degree_u, face.degree_v}},
+            {"breaks", {face.breaks_u, face.breaks_v}},
+            {"net", std::move(net)}};
+  if (face.blend) json["blend"] = point_json(*face.blend);
+  return json;
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ ExportReport export_net(const model::FaceNet& net, const std::filesystem::path& 
                         const ExportOptions& options, const std::string& json);
 
 /// The nets of all faces as JSON text: "faces", by name {"degree": [m, n], "breaks": [u, v], "net":
-/// rows along u of Bezier points}, and "edges", the points that faces share.
+/// rows along u of Bezier points} (and "blend" of a Gregory face), and "edges", the points that
+/// faces share.
 std::string net_json_text(const model::FaceNet& net);
 
 }  // namespace bodyline::io

@@ -32,22 +32,6 @@ using model::Side;
 
 gp_Pnt to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-Handle(Geom_BSplineSurface) to_geometry(const SplineSurface& spline) {
-  TColgp_Array2OfPnt net(1, spline.count_u, 1, spline.count_v);
-  for (int i = 0; i < spline.count_u; ++i)
-    for (int j = 0; j < spline.count_v; ++j) net(i + 1, j + 1) = to_point(spline.point(i, j));
-  const int breaks = static_cast<int>(spline.breaks.size());
-  TColStd_Array1OfReal knots(1, breaks);
-  TColStd_Array1OfInteger in_u(1, breaks), in_v(1, breaks);
-  for (int k = 1; k <= breaks; ++k) {
-    const bool end = k == 1 || k == breaks;
-    knots(k) = spline.breaks[k - 1];
-    in_u(k) = end ? spline.degree_u + 1 : 1;
-    in_v(k) = end ? spline.degree_v + 1 : 1;
-  }
-  return new Geom_BSplineSurface(net, knots, knots, in_u, in_v, spline.degree_u, spline.degree_v);
-}
-
 Handle(Geom_BSplineCurve) to_geometry(const std::vector<Eigen::Vector3d>& points) {
   const int count = static_cast<int>(points.size());
   TColgp_Array1OfPnt poles(1, count);
@@ -143,6 +127,22 @@ std::vector<int> connected_parts(const SideGraph& graph, std::size_t faces) {
 }
 
 }  // namespace
+
+Handle(Geom_BSplineSurface) to_geometry(const SplineSurface& spline) {
+  TColgp_Array2OfPnt net(1, spline.count_u, 1, spline.count_v);
+  for (int i = 0; i < spline.count_u; ++i)
+    for (int j = 0; j < spline.count_v; ++j) net(i + 1, j + 1) = to_point(spline.point(i, j));
+  const int breaks = static_cast<int>(spline.breaks.size());
+  TColStd_Array1OfReal knots(1, breaks);
+  TColStd_Array1OfInteger in_u(1, breaks), in_v(1, breaks);
+  for (int k = 1; k <= breaks; ++k) {
+    const bool end = k == 1 || k == breaks;
+    knots(k) = spline.breaks[k - 1];
+    in_u(k) = end ? spline.degree_u + 1 : 1;
+    in_v(k) = end ? spline.degree_v + 1 : 1;
+  }
+  return new Geom_BSplineSurface(net, knots, knots, in_u, in_v, spline.degree_u, spline.degree_v);
+}
 
 std::vector<std::string> face_names(const std::vector<model::Surface>& surfaces) {
   std::vector<std::string> names;

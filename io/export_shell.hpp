@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Geom_BSplineSurface.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <string>
 #include <vector>
 
+#include "io/export_spline.hpp"
 #include "model/surface.hpp"
 
 /// For the STEP and IGES writers only: this header needs OpenCASCADE.
@@ -30,6 +32,8 @@ std::vector<std::string> face_names(const std::vector<model::Surface>& surfaces)
 /// Parts of building a shell that every source of faces needs: one shell for each set of faces that
 /// hangs together (part[f] names the set of face f), in a compound when there are several.
 TopoDS_Shape collect_shells(const std::vector<TopoDS_Face>& faces, const std::vector<int>& part);
+
+Handle(Geom_BSplineSurface) to_geometry(const SplineSurface& spline);
 
 /// Throws std::runtime_error when OpenCASCADE finds the shape invalid.
 void refuse_invalid(const TopoDS_Shape& shape);

@@ -191,6 +191,16 @@ TopoDS_Wire make_wire(const NetFace& face, int face_number, const Parts& parts) 
   return wire;
 }
 
+/// The geometry of a face; a Gregory one is approximated, which the shell reports.
+Handle(Geom_BSplineSurface)
+    face_geometry(const NetFace& face, const model::FacePieces& pieces, CadShell& shell) {
+  if (!face.surface.blend) return to_geometry(face.surface);
+  const SplineSurface spline = spline_surface(pieces.all().front());
+  shell.max_deviation_mm = std::max(shell.max_deviation_mm, spline.deviation_mm);
+  shell.not_polynomial.push_back(face.surface.name);
+  return to_geometry(spline);
+}
+
 std::vector<int> connected_parts(const std::vector<std::vector<EdgeFace>>& uses,
                                  std::size_t faces) {
   std::vector<int> part(faces);
@@ -214,10 +224,12 @@ CadShell make_shell(const model::FaceNet& net) {
   BRep_Builder builder;
   Parts parts;
   std::vector<model::FacePieces> pieces;
+  CadShell shell;
   for (const NetFace& face : net.faces) {
     pieces.emplace_back(face);
     parts.faces.emplace_back();
-    builder.MakeFace(parts.faces.back(), to_geometry(face.surface), least_cad_tolerance_mm);
+    builder.MakeFace(parts.faces.back(), face_geometry(face, pieces.back(), shell),
+                     least_cad_tolerance_mm);
   }
   const auto uses = uses_by_edge(net);
   std::vector<double> gaps, around(net.vertices.size(), 0.0);
@@ -237,7 +249,6 @@ CadShell make_shell(const model::FaceNet& net) {
     builder.Add(parts.faces[f], make_wire(net.faces[f], f, parts));
     if (net.faces[f].inward) parts.faces[f].Reverse();
   }
-  CadShell shell;
   shell.shape = collect_shells(parts.faces, connected_parts(uses, net.faces.size()));
   shell.faces = parts.faces;
   refuse_invalid(shell.shape);

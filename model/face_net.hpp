@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct SplineFace {
   std::vector<double> breaks_u, breaks_v;  ///< 0 to 1, increasing
   /// (pieces in u x degree_u + 1) x (pieces in v x degree_v + 1) points, v fastest; mm
   std::vector<Eigen::Vector3d> net;
+  std::optional<Eigen::Vector3d> blend = {};  ///< of a Gregory face of one piece (Surface::blend)
 
   int count_u() const { return (static_cast<int>(breaks_u.size()) - 1) * degree_u + 1; }
   int count_v() const { return (static_cast<int>(breaks_v.size()) - 1) * degree_v + 1; }

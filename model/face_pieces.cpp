@@ -13,6 +13,7 @@ Surface bezier_piece(const NetFace& face, int piece_u, int piece_v) {
   surface.degree_u = spline.degree_u;
   surface.degree_v = spline.degree_v;
   surface.inward = face.inward;
+  surface.blend = spline.blend;
   surface.net.reserve((spline.degree_u + 1) * (spline.degree_v + 1));
   for (int i = 0; i <= spline.degree_u; ++i)
     for (int j = 0; j <= spline.degree_v; ++j)

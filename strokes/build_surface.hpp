@@ -42,11 +42,12 @@ struct SmoothReport {
 
 /// A surface made of strokes.
 struct SurfaceBuild {
+  explicit SurfaceBuild(Net start) : surface(std::move(start)) {}
+
   SurfaceModel surface;
   BoundaryReport boundary;
   double threshold_mm = 0.0;
-  Method method = Method::paper;
-  std::optional<SmoothReport> smooth;
+  std::optional<SmoothReport> smooth;   ///< of the smooth method
   std::vector<StrokeOutcome> outcomes;  ///< of all strokes inside the boundary, in their order
 };
 

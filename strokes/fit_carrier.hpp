@@ -13,7 +13,7 @@ struct CarrierOptions {
   /// The base may slide along itself so that places get their points, and gives way to a fairer
   /// surface; else it is left alone where samples do not call for more.
   bool slides = true;
-  int most_cells = 64;        ///< of the grid, per direction
+  int most_cells = 64;  ///< of the grid, per direction
 };
 
 /// A carrier, and how it was found.

@@ -6,7 +6,6 @@
 #include "strokes/base_net.hpp"
 #include "strokes/fit_carrier.hpp"
 #include "strokes/fit_stroke.hpp"
-#include "strokes/smooth_net.hpp"
 #include "strokes/smooth_stroke.hpp"
 
 namespace bodyline::strokes {
@@ -58,15 +57,20 @@ Net coarse_net(const std::vector<model::SplineCurve>& boundary, double tolerance
   return base_net(polylines);
 }
 
-SmoothSurface smooth_surface(const Net& net, const std::vector<model::SplineCurve>& boundary,
-                             const SmoothOptions& options) {
+SmoothBase spanned_base(const std::vector<model::SplineCurve>& boundary) {
+  return {blended_surface(boundary), {boundary}};
+}
+
+SmoothSurface smooth_surface(const Net& net, const SmoothBase& base, const SmoothOptions& options) {
   CarrierOptions carrier;
   carrier.tolerance_mm = carried_part * options.tolerance_mm;
   carrier.fair = options.fair;
   carrier.most_cells = options.most_cells;
-  const CarrierFit fit = fit_carrier(blended_surface(boundary), base_domain(boundary.size()),
+  carrier.border_order = base.keeps_planes ? 2 : 1;
+  carrier.slides = !base.keeps_planes;
+  const CarrierFit fit = fit_carrier(base.surface, base_domain(base.border.curves.size()),
                                      drawn_samples(net), carrier);
-  return {smooth_net(net, fit.carrier, {boundary}, edge_part * options.tolerance_mm), fit.cells,
+  return {smooth_net(net, fit.carrier, base.border, edge_part * options.tolerance_mm), fit.cells,
           fit.fairness};
 }
 

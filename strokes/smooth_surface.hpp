@@ -4,6 +4,8 @@
 
 #include "strokes/net.hpp"
 #include "strokes/points.hpp"
+#include "strokes/smooth_net.hpp"
+#include "strokes/surface_function.hpp"
 
 /// The smooth method: strokes are inserted into a net of polylines by the paper's rules, which find
 /// all patches; then the net is laid on one smooth carrier that passes the strokes.
@@ -18,6 +20,17 @@ SmoothBoundary smooth_boundary(const std::vector<Points>& loop, double tolerance
 
 /// The net of one patch over polylines that follow curves, for strokes to be inserted.
 Net coarse_net(const std::vector<model::SplineCurve>& boundary, double tolerance_mm);
+
+/// What the strokes are drawn over.
+struct SmoothBase {
+  SurfaceFunction surface;
+  Border border;              ///< of the surface, over base_domain()
+  bool keeps_planes = false;  ///< tangent planes along the border stay, and so does the surface
+                              ///< where strokes do not ask for another
+};
+
+/// The surface that a boundary spans.
+SmoothBase spanned_base(const std::vector<model::SplineCurve>& boundary);
 
 struct SmoothOptions {
   double tolerance_mm = 1.0;  ///< largest distance of what was drawn last from the surface
@@ -34,7 +47,6 @@ struct SmoothSurface {
 
 /// Lays a net that grew from coarse_net() on a carrier within half the tolerance of all that was
 /// drawn; what edges have beyond that, extensions and cuts, follows.
-SmoothSurface smooth_surface(const Net& net, const std::vector<model::SplineCurve>& boundary,
-                             const SmoothOptions& options);
+SmoothSurface smooth_surface(const Net& net, const SmoothBase& base, const SmoothOptions& options);
 
 }  // namespace bodyline::strokes

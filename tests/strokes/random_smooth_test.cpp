@@ -46,7 +46,7 @@ struct Growth {
       if (other >= 0) outcomes[other].gave_way_mm = std::max(outcomes[other].gave_way_mm, move);
   }
   Net smooth(int most_cells) const {
-    return smooth_surface(coarse.net, boundary.curves,
+    return smooth_surface(coarse.net, spanned_base(boundary.curves),
                           {.tolerance_mm = tolerance_mm, .most_cells = most_cells})
         .net;
   }
