@@ -8,6 +8,7 @@
 #include "bench/fit_bench.hpp"
 #include "bench/kernel_bench.hpp"
 #include "bench/report.hpp"
+#include "bench/strokes_bench.hpp"
 
 // As the program does it (cli/main.cpp).
 static void keep_freed_memory() {
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
   register_body_benchmarks();
   register_fit_benchmarks();
   register_explore_benchmarks();
+  register_strokes_benchmarks();
   return run_and_report(argc, argv,
-                        {kernel_report(), body_report(), fit_report(), explore_report()});
+                        {kernel_report(), body_report(), fit_report(), explore_report(), strokes_report()});
 }

@@ -91,6 +91,19 @@ Bend find_bend(const Net& net, const LineBreaks& breaks) {
   return {};
 }
 
+// Notes the strokes whose drawn parts a pull moves.
+void note_moved(const Net& net, const Spot& spot, double move, Fade fade, LineResult& result) {
+  const std::vector<int> edges =
+      spot.vertex >= 0 ? net.vertices[spot.vertex].edges : std::vector{spot.edge};
+  for (const int index : edges) {
+    const Edge& edge = net.edges[index];
+    const double t = spot.vertex < 0 ? spot.t : edge.start == spot.vertex ? 0.0 : 1.0;
+    if (!moves_drawn(edge, t, fade)) continue;
+    double& moved = result.moved_strokes[edge.stroke];
+    moved = std::max(moved, move);
+  }
+}
+
 // Pulls what the line meets at a break onto the curve, and makes a vertex of it.
 int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, Fade fade, LineResult& result) {
   const Net& net = edit.net();
@@ -101,12 +114,7 @@ int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, Fade fade, Line
     const bool outer = spot.vertex >= 0 ? is_outer(net, net.vertices[spot.vertex])
                                         : is_outer(net.edges[spot.edge]);
     if (outer) throw StrokeRejected(Rejection::boundary_gap);
-    const std::vector<int> edges =
-        spot.vertex >= 0 ? net.vertices[spot.vertex].edges : std::vector{spot.edge};
-    for (const int edge : edges) {
-      double& moved = result.moved_strokes[net.edges[edge].stroke];
-      moved = std::max(moved, delta.norm());
-    }
+    note_moved(net, spot, delta.norm(), fade, result);
     if (spot.vertex >= 0) {
       pull_vertex(edit, spot.vertex, delta, fade);
     } else {

@@ -25,6 +25,18 @@ bool is_outer(const Net& net, const Vertex& vertex) {
                      [&](int edge) { return is_outer(net.edges[edge]); });
 }
 
+bool is_drawn(const Edge& edge, double t) {
+  return edge.drawn_from < edge.drawn_to && t >= edge.drawn_from && t <= edge.drawn_to;
+}
+
+bool is_drawn(const Net& net, int vertex) {
+  const std::vector<int>& edges = net.vertices[vertex].edges;
+  return std::any_of(edges.begin(), edges.end(), [&](int index) {
+    const Edge& edge = net.edges[index];
+    return is_drawn(edge, edge.start == vertex ? 0.0 : 1.0);
+  });
+}
+
 double domain_length(const Net& net, const Edge& edge) {
   return (net.vertices[edge.end].place - net.vertices[edge.start].place).norm();
 }

@@ -57,8 +57,12 @@ int last_vertex(const Net& net, const EdgeUse& use);
 int first_vertex(const Net& net, const std::vector<EdgeUse>& side);
 
 bool is_outer(const Edge& edge);
+/// Whether an edge was drawn at t.
+bool is_drawn(const Edge& edge, double t);
 /// Whether a vertex lies on the outer boundary.
 bool is_outer(const Net& net, const Vertex& vertex);
+/// Whether an edge that ends at a vertex was drawn there.
+bool is_drawn(const Net& net, int vertex);
 
 /// Length of the pre-image.
 double domain_length(const Net& net, const Edge& edge);

@@ -29,11 +29,47 @@ model::SplineCurve moves(const std::vector<double>& weights, const std::vector<d
   return model::polyline_curve(parameters, moved);
 }
 
+/// Where a move at t ends before and behind it.
+struct Reach {
+  double from = 0.0, to = 1.0;
+};
+
+Reach reach_of(const Edge& edge, double t, Fade fade) {
+  Reach reach;
+  if (fade == Fade::linear || !(edge.drawn_from < edge.drawn_to) || is_drawn(edge, t)) return reach;
+  (t < edge.drawn_from ? reach.to : reach.from) =
+      t < edge.drawn_from ? edge.drawn_from : edge.drawn_to;
+  return reach;
+}
+
+// Weight 1 at t and 0 beyond its reach.
+model::SplineCurve faded(const Edge& edge, double t, const Eigen::Vector3d& delta, Fade fade) {
+  const Reach reach = reach_of(edge, t, fade);
+  std::vector<double> weights, breaks;
+  const auto add = [&](double at, double weight) {
+    if (!breaks.empty() && at - breaks.back() <= model::same_parameter) return;
+    breaks.push_back(at);
+    weights.push_back(weight);
+  };
+  if (t > 0.0) add(0.0, 0.0);
+  if (t > 0.0 && reach.from < t) add(reach.from, 0.0);
+  add(t, 1.0);
+  if (t < 1.0 && reach.to > t) add(reach.to, 0.0);
+  if (t < 1.0) add(1.0, 0.0);
+  return moves(weights, breaks, delta, fade);
+}
+
 }  // namespace
 
-void pull_edge(NetEdit& edit, int edge, double t, const Eigen::Vector3d& delta, Fade fade) {
-  model::SplineCurve& curve = edit.edge(edge).curve;
-  curve = model::curve_sum(1.0, curve, 1.0, moves({0.0, 1.0, 0.0}, {0.0, t, 1.0}, delta, fade));
+bool moves_drawn(const Edge& edge, double t, Fade fade) {
+  if (!(edge.drawn_from < edge.drawn_to)) return false;
+  const Reach reach = reach_of(edge, t, fade);
+  return reach.from < edge.drawn_to && reach.to > edge.drawn_from;
+}
+
+void pull_edge(NetEdit& edit, int index, double t, const Eigen::Vector3d& delta, Fade fade) {
+  Edge& edge = edit.edge(index);
+  edge.curve = model::curve_sum(1.0, edge.curve, 1.0, faded(edge, t, delta, fade));
 }
 
 void pull_vertex(NetEdit& edit, int vertex, const Eigen::Vector3d& delta, Fade fade) {
@@ -42,8 +78,8 @@ void pull_vertex(NetEdit& edit, int vertex, const Eigen::Vector3d& delta, Fade f
   for (const int index : std::vector(edit.net().vertices[vertex].edges)) {
     Edge& edge = edit.edge(index);
     const bool starts = edge.start == vertex;
-    const std::vector<double> weights = starts ? std::vector{1.0, 0.0} : std::vector{0.0, 1.0};
-    edge.curve = model::curve_sum(1.0, edge.curve, 1.0, moves(weights, {0.0, 1.0}, delta, fade));
+    edge.curve =
+        model::curve_sum(1.0, edge.curve, 1.0, faded(edge, starts ? 0.0 : 1.0, delta, fade));
     (starts ? edge.curve.points.front() : edge.curve.points.back()) = point;
   }
 }

@@ -7,8 +7,8 @@ namespace bodyline::strokes {
 
 /// How a move fades along an edge.
 enum class Fade {
-  linear,  ///< as the paper has it: w
-  smooth   ///< without kinks: w^2 (3 - 2 w)
+  linear,  ///< as the paper has it: w, up to the ends of the edge
+  smooth   ///< without kinks: w^2 (3 - 2 w); where the edge was not drawn up to where it was
 };
 
 /// Moves an edge so that it passes through its point at t plus `delta`: every point by w delta
@@ -19,5 +19,8 @@ void pull_edge(NetEdit& edit, int edge, double t, const Eigen::Vector3d& delta,
 /// Moves a vertex by `delta`, and the edges that meet there by w delta, where w falls linearly from
 /// 1 at the vertex to 0 at their other ends.
 void pull_vertex(NetEdit& edit, int vertex, const Eigen::Vector3d& delta, Fade fade = Fade::linear);
+
+/// Whether such a move reaches what was drawn of an edge; `t` is 0 or 1 for a move of a vertex.
+bool moves_drawn(const Edge& edge, double t, Fade fade);
 
 }  // namespace bodyline::strokes

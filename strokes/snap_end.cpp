@@ -72,13 +72,15 @@ std::optional<EndHit> snap_end(const Net& net, const SurfaceIndex& index, const 
   if (!(nearest.distance <= threshold)) return std::nullopt;
   const Edge& edge = net.edges[nearest.edge];
   EndHit hit{domain_place(net, edge, nearest.t), model::curve_point(edge.curve, nearest.t),
-             nearest.segment, part_of_stroke(stroke, points, nearest)};
+             nearest.segment, part_of_stroke(stroke, points, nearest),
+             is_outer(edge) || is_drawn(edge, nearest.t)};
   for (const int end : {edge.start, edge.end}) {
     const Vertex& vertex = net.vertices[end];
     const double along = end == edge.start ? nearest.t : 1.0 - nearest.t;
     if (along >= thin_part && (vertex.point - hit.point).norm() > 0.5 * threshold) continue;
     hit.place = vertex.place;
     hit.point = vertex.point;
+    hit.drawn = is_outer(net, vertex) || is_drawn(net, end);
     break;
   }
   return hit;

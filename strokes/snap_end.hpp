@@ -13,6 +13,7 @@ struct EndHit {
   Eigen::Vector3d point{0.0, 0.0, 0.0};  ///< of the edge
   std::size_t segment = 0;               ///< of the stroke, by its first point, ...
   double part = 0.0;                     ///< ... and how far along it: what lies before is cut off
+  bool drawn = true;  ///< the edge was drawn there, or is of the boundary; else it only leads on
 };
 
 /// Looks for the edge nearest to the first end of a stroke, and within `threshold` of it (section

@@ -62,9 +62,18 @@ Vector2d end_place(const SurfaceModel& surface, const std::optional<EndHit>& hit
   return foot.place;
 }
 
-Vector3d move_of(const Points& stroke, const EndHit& hit) {
+Vector3d place_of(const Points& stroke, const EndHit& hit) {
   const Vector3d &from = stroke[hit.segment], &to = stroke[hit.segment + 1];
-  return hit.point - (from + hit.part * (to - from));
+  return from + hit.part * (to - from);
+}
+
+Vector3d move_of(const Points& stroke, const EndHit& hit) {
+  return hit.point - place_of(stroke, hit);
+}
+
+// What only leads on to another edge gives way to a stroke that ends there.
+void stay_at_undrawn(const Points& stroke, std::optional<EndHit>& hit) {
+  if (hit && !hit->drawn) hit->point = place_of(stroke, *hit);
 }
 
 // The first point has moved; the others follow, up to the middle.
@@ -94,8 +103,12 @@ PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, do
                            Fade fade) {
   const Points kept = usable(points, threshold);
   const Points backwards(kept.rbegin(), kept.rend());
-  const auto front = snap_end(surface.net, surface.index, kept, threshold);
-  const auto back = snap_end(surface.net, surface.index, backwards, threshold);
+  auto front = snap_end(surface.net, surface.index, kept, threshold);
+  auto back = snap_end(surface.net, surface.index, backwards, threshold);
+  if (fade == Fade::smooth) {
+    stay_at_undrawn(kept, front);
+    stay_at_undrawn(backwards, back);
+  }
   PlacedStroke stroke{trimmed(kept, front, back), {}, front.has_value(), back.has_value(), 0};
   if (stroke.points.size() < 2) throw StrokeRejected(Rejection::nothing_left);
   if (fade == Fade::smooth) {

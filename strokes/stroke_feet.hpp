@@ -16,8 +16,8 @@ struct PlacedStroke {
 
 /// Filters a stroke and finds its ends and foot points on the surface (section 3, steps 1, 2, 6).
 /// Where an end is snapped the stroke follows: only its end point when `fade` is linear, up to its
-/// middle, ever less, when it is smooth. Throws StrokeRejected when it has no two points, is
-/// closed, or ends outside the boundary.
+/// middle, ever less, when it is smooth; then it stays where the edge was not drawn. Throws
+/// StrokeRejected when it has no two points, is closed, or ends outside the boundary.
 PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, double threshold,
                            Fade fade = Fade::linear);
 
