@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   register_fit_benchmarks();
   register_explore_benchmarks();
   register_strokes_benchmarks();
-  return run_and_report(argc, argv,
-                        {kernel_report(), body_report(), fit_report(), explore_report(), strokes_report()});
+  return run_and_report(
+      argc, argv,
+      {kernel_report(), body_report(), fit_report(), explore_report(), strokes_report()});
 }

@@ -29,6 +29,44 @@ TEST(PullEdge, IsTheDifferenceVectorOfStep4) {
   }
 }
 
+TEST(PullEdge, SmoothlyHasNoKinks) {
+  Net net = base_net(test::rectangle(100, 60, 25));
+  const Points before = net.edges[0].curve.points;
+  const model::SplineCurve old = net.edges[0].curve;
+  const Vector3d delta(0, 0, 20);
+  NetEdit edit(net);
+  pull_edge(edit, 0, 0.5, delta, Fade::smooth);
+  const auto move = [&](double t) {
+    return (model::curve_point(net.edges[0].curve, t) - model::curve_point(old, t)).z();
+  };
+  EXPECT_NEAR(move(0.5), 20.0, rounding_mm);
+  EXPECT_NEAR(move(0.25), 10.0, rounding_mm);
+  EXPECT_EQ(move(0.0), 0.0);
+  EXPECT_EQ(move(1.0), 0.0);
+  // Chords of w^2 (3 - 2 w): next to the ends and the peak it is flat.
+  EXPECT_LT(move(0.0625), 1.0);
+  EXPECT_GT(move(0.4375), 19.0);
+}
+
+TEST(PullEdge, SmoothlyLeavesWhatWasDrawnWhereItIsPulledElsewhere) {
+  Net net = base_net(test::rectangle(100, 60, 25));
+  net.edges[0].drawn_from = 0.25;
+  net.edges[0].drawn_to = 0.5;
+  const model::SplineCurve old = net.edges[0].curve;
+  EXPECT_FALSE(moves_drawn(net.edges[0], 0.75, Fade::smooth));
+  EXPECT_FALSE(moves_drawn(net.edges[0], 0.0, Fade::smooth));
+  EXPECT_TRUE(moves_drawn(net.edges[0], 0.3, Fade::smooth));
+  EXPECT_TRUE(moves_drawn(net.edges[0], 0.75, Fade::linear));
+  NetEdit edit(net);
+  pull_edge(edit, 0, 0.75, {0, 0, 20}, Fade::smooth);
+  const auto move = [&](double t) {
+    return (model::curve_point(net.edges[0].curve, t) - model::curve_point(old, t)).z();
+  };
+  for (const double t : {0.1, 0.3, 0.5}) EXPECT_NEAR(move(t), 0.0, rounding_mm);
+  EXPECT_NEAR(move(0.75), 20.0, rounding_mm);
+  EXPECT_GT(move(0.6), 1.0);
+}
+
 TEST(PullVertex, MovesEveryEdgeThereAndTheirOtherEndsStay) {
   Net net = base_net(test::rectangle(100, 60, 5));
   const Net before = net;

@@ -1,0 +1,177 @@
+#include "strokes/refine_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "io/body_net.hpp"
+#include "io/read_model.hpp"
+#include "model/build.hpp"
+#include "model/check_face_net.hpp"
+#include "strokes/net_laws.hpp"
+#include "strokes/refined_body.hpp"
+#include "tests/strokes/stroke_samples.hpp"
+
+namespace bodyline::strokes {
+namespace {
+
+using Eigen::Vector3d;
+
+// Rounding of points of some metres.
+constexpr double gap_mm = 1e-9, same_mm = 1e-9;
+constexpr double angle_deg = 1e-6;
+constexpr double tolerance_mm = 1.0;
+
+class RefinePatch : public ::testing::Test {
+ protected:
+  RefinePatch()
+      : faces_(model::build(io::read_model(BODYLINE_SOURCE_DIR "/cars/model1.toml"),
+                            model::Stage::body)),
+        body_(io::body_net(faces_, "model1")) {}
+
+  int index(const std::string& name) const {
+    for (std::size_t k = 0; k < faces_.size(); ++k)
+      if (faces_[k].name == name) return static_cast<int>(k);
+    throw std::out_of_range(name);
+  }
+  Vector3d on(const std::string& patch, double u, double v) const {
+    return model::jet(faces_[index(patch)], u, v, 0).d[0];
+  }
+  /// A stroke along u of a patch, lifted in the middle.
+  model::Stroke ridge(const std::string& patch, double v, double lift_mm) const {
+    return {"ridge", test::sampled(30, [&](double t) {
+              const double s = std::sin(std::numbers::pi * t);
+              return Vector3d(on(patch, 0.15 + 0.7 * t, v) + lift_mm * s * s * Vector3d::UnitZ());
+            })};
+  }
+  SurfaceBuild refined(const std::string& patch, const std::vector<model::Stroke>& strokes) const {
+    BuildOptions options;
+    options.tolerance_mm = tolerance_mm;
+    return refine_patch(faces_[index(patch)], strokes, options);
+  }
+
+  std::vector<model::Surface> faces_;
+  model::FaceNet body_;
+};
+
+TEST_F(RefinePatch, KeepsTheBorderAndItsTangentPlanes) {
+  const SurfaceBuild build = refined("hood", {ridge("hood", 0.35, 12.0)});
+  ASSERT_EQ(build.outcomes[0].rejection, Rejection::none);
+  EXPECT_GT(build.surface.net.patches.size(), 1u);
+  const model::Surface& hood = faces_[index("hood")];
+  for (const BorderPart& part : border_parts(build.surface.net)) {
+    const Edge& edge = build.surface.net.edges[part.edge];
+    for (const double t : {0.0, 0.3, 1.0}) {
+      const Eigen::Vector2d place = domain_place(build.surface.net, edge, t);
+      const auto d = model::jet(hood, place.x(), place.y(), 1).d;
+      EXPECT_LE((model::curve_point(edge.curve, t) - d[0]).norm(), same_mm);
+      const Vector3d normal = d[1].cross(d[2]).normalized();
+      const Vector3d across = model::curve_point(edge.across, t);
+      EXPECT_LE(std::abs(across.normalized().dot(normal)), 1e-12);
+    }
+  }
+}
+
+TEST_F(RefinePatch, TransitionsHoldAsBefore) {
+  const SurfaceBuild build =
+      refined("hood", {ridge("hood", 0.35, 12.0), ridge("hood", 0.65, 12.0)});
+  const model::FaceNet after = refined_body(body_, index("hood"), build.surface.net);
+  ASSERT_GT(after.faces.size(), body_.faces.size());
+  const auto check = model::check_face_net(after);
+  int border = 0;
+  for (const model::NetEdgeCheck& edge : check.edges) {
+    const bool a = after.faces[edge.face_a].surface.name.starts_with("hood "),
+               b = after.faces[edge.face_b].surface.name.starts_with("hood ");
+    if (!a && !b) continue;
+    border += a != b ? 1 : 0;
+    EXPECT_LE(edge.deviation.normal_deviation_deg, angle_deg);
+    EXPECT_LE(edge.deviation.gap_mm, gap_mm);
+  }
+  EXPECT_GE(border, 5) << "four sides, two of which are cut by extensions";
+  EXPECT_LE(check.edge_gap_mm, gap_mm);
+}
+
+TEST_F(RefinePatch, TheBodyKeepsAllOtherFacesAndStaysClosed) {
+  const SurfaceBuild build = refined("hood", {ridge("hood", 0.35, 12.0)});
+  const model::FaceNet after = refined_body(body_, index("hood"), build.surface.net);
+  EXPECT_EQ(after.faces.size(), body_.faces.size() - 1 + build.surface.net.patches.size());
+  // Every face has its four sides covered from 0 to 1, by edges that begin and end at its corners.
+  for (const model::NetFace& face : after.faces) {
+    for (const auto& side : face.sides) {
+      if (side.empty()) continue;
+      EXPECT_EQ(side.front().from, 0.0);
+      EXPECT_EQ(side.back().to, 1.0);
+      for (std::size_t k = 1; k < side.size(); ++k) EXPECT_EQ(side[k].from, side[k - 1].to);
+    }
+  }
+  // As many free edges as before: the hood has none.
+  const auto free_edges = [](const model::FaceNet& net) {
+    std::vector<int> uses(net.edges.size(), 0);
+    for (const model::NetFace& face : net.faces)
+      for (const auto& side : face.sides)
+        for (const model::NetSidePart& part : side) ++uses[part.edge];
+    return std::count(uses.begin(), uses.end(), 1);
+  };
+  EXPECT_EQ(free_edges(after), free_edges(body_));
+}
+
+TEST_F(RefinePatch, ContainsTheStrokes) {
+  const std::vector<model::Stroke> strokes{ridge("hood", 0.35, 12.0), ridge("hood", 0.65, -8.0)};
+  const SurfaceBuild build = refined("hood", strokes);
+  for (const model::Stroke& stroke : strokes)
+    for (const Vector3d& point : stroke.points)
+      EXPECT_LE(build.surface.index.foot_point(build.surface.net, point)->distance, tolerance_mm);
+  for (const StrokeOutcome& outcome : build.outcomes) EXPECT_LE(outcome.deviation_mm, tolerance_mm);
+}
+
+TEST_F(RefinePatch, StrokesOnThePatchLeaveItsShape) {
+  const SurfaceBuild build = refined("hood", {ridge("hood", 0.3, 0.0), ridge("hood", 0.6, 0.0)});
+  ASSERT_GT(build.surface.net.patches.size(), 1u);
+  // The displacement inside patches is left out where it is below a small part of the tolerance.
+  for (const double u : {0.2, 0.5, 0.83})
+    for (const double v : {0.1, 0.42, 0.7})
+      EXPECT_LE(build.surface.index.foot_point(build.surface.net, on("hood", u, v))->distance,
+                0.1 * tolerance_mm);
+}
+
+TEST_F(RefinePatch, StrokesElsewhereAreRejected) {
+  const SurfaceBuild build = refined("hood", {ridge("roof", 0.5, 0.0)});
+  EXPECT_EQ(build.outcomes[0].rejection, Rejection::end_outside);
+  EXPECT_EQ(build.surface.net.patches.size(), 1u);
+}
+
+TEST_F(RefinePatch, TheMirrorImageIsRefinedAlike) {
+  const std::string name = "front_fender_upper";
+  const SurfaceBuild build = refined(name, {ridge(name, 0.5, 3.0)});
+  ASSERT_EQ(build.outcomes[0].rejection, Rejection::none);
+  model::FaceNet after = refined_body(body_, index(name), build.surface.net);
+  const auto image = std::find_if(after.faces.begin(), after.faces.end(), [&](const auto& face) {
+    return face.surface.name == name + ".right";
+  });
+  ASSERT_NE(image, after.faces.end());
+  after =
+      refined_mirror_image(after, static_cast<int>(image - after.faces.begin()), build.surface.net);
+  EXPECT_EQ(after.faces.size(), body_.faces.size() - 2 + 2 * build.surface.net.patches.size());
+  for (const model::NetEdgeCheck& edge : model::check_face_net(after).edges) {
+    if (!after.faces[edge.face_a].surface.name.starts_with(name + ".right ")) continue;
+    EXPECT_LE(edge.deviation.normal_deviation_deg, angle_deg);
+    EXPECT_LE(edge.deviation.gap_mm, gap_mm);
+  }
+}
+
+TEST_F(RefinePatch, RefusesThePapersMethod) {
+  BuildOptions options;
+  options.method = Method::paper;
+  EXPECT_THROW(refine_patch(faces_[index("hood")], {}, options), std::invalid_argument);
+}
+
+TEST_F(RefinePatch, RefusesAFaceWithASideThatIsAPoint) {
+  model::Surface face = faces_[index("hood")];
+  for (int k = 0; k <= face.degree_v; ++k) face.point(0, k) = face.point(0, 0);
+  EXPECT_THROW(refine_patch(face, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace bodyline::strokes
