@@ -36,10 +36,7 @@ void insert(NetEdit& edit, PlacedStroke stroke, int number, const StrokeOptions&
     outcome.patches_split += result.patches_split;
     outcome.curves_moved += result.curves_moved;
     outcome.largest_move_mm = std::max(outcome.largest_move_mm, result.largest_move);
-    for (const auto& [other, move] : result.moved_strokes) {
-      double& moved = outcome.moved_strokes[other];
-      moved = std::max(moved, move);
-    }
+    outcome.moves.insert(outcome.moves.end(), result.moves.begin(), result.moves.end());
   }
 }
 

@@ -91,21 +91,22 @@ Bend find_bend(const Net& net, const LineBreaks& breaks) {
   return {};
 }
 
-// Notes the strokes whose drawn parts a pull moves.
-void note_moved(const Net& net, const Spot& spot, double move, Fade fade, LineResult& result) {
+// Notes the earlier strokes whose drawn parts a pull to a point moves.
+void note_moved(const Net& net, const Spot& spot, const Vector3d& point, double distance,
+                const LineSource& source, LineResult& result) {
   const std::vector<int> edges =
       spot.vertex >= 0 ? net.vertices[spot.vertex].edges : std::vector{spot.edge};
   for (const int index : edges) {
     const Edge& edge = net.edges[index];
     const double t = spot.vertex < 0 ? spot.t : edge.start == spot.vertex ? 0.0 : 1.0;
-    if (!moves_drawn(edge, t, fade)) continue;
-    double& moved = result.moved_strokes[edge.stroke];
-    moved = std::max(moved, move);
+    if (edge.stroke != source.stroke && moves_drawn(edge, t, source.fade))
+      result.moves.push_back({edge.stroke, point, distance});
   }
 }
 
 // Pulls what the line meets at a break onto the curve, and makes a vertex of it.
-int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, Fade fade, LineResult& result) {
+int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, const LineSource& source,
+         LineResult& result) {
   const Net& net = edit.net();
   const Vector3d there = spot.vertex >= 0 ? net.vertices[spot.vertex].point
                                           : model::curve_point(net.edges[spot.edge].curve, spot.t);
@@ -114,11 +115,11 @@ int meet(NetEdit& edit, const Spot& spot, const Vector3d& point, Fade fade, Line
     const bool outer = spot.vertex >= 0 ? is_outer(net, net.vertices[spot.vertex])
                                         : is_outer(net.edges[spot.edge]);
     if (outer) throw StrokeRejected(Rejection::boundary_gap);
-    note_moved(net, spot, delta.norm(), fade, result);
+    note_moved(net, spot, point, delta.norm(), source, result);
     if (spot.vertex >= 0) {
-      pull_vertex(edit, spot.vertex, delta, fade);
+      pull_vertex(edit, spot.vertex, delta, source.fade);
     } else {
-      pull_edge(edit, spot.edge, spot.t, delta, fade);
+      pull_edge(edit, spot.edge, spot.t, delta, source.fade);
     }
     ++result.curves_moved;
     result.largest_move = std::max(result.largest_move, delta.norm());
@@ -147,7 +148,7 @@ void split_along(NetEdit& edit, const Line& line, const LineBreaks& breaks, Line
   std::vector<int> vertices;
   for (std::size_t k = 0; k < breaks.at.size(); ++k)
     vertices.push_back(meet(edit, breaks.spots[k], model::curve_point(line.curve, breaks.at[k]),
-                            line.source.fade, result));
+                            line.source, result));
   for (std::size_t k = 0; k < breaks.patches.size(); ++k) {
     const int first = vertices[k], last = vertices[k + 1];
     const int edge = split_patch(

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "strokes/net_edit.hpp"
@@ -8,15 +7,22 @@
 
 namespace bodyline::strokes {
 
+/// What was drawn of an earlier stroke gave way.
+struct StrokeMove {
+  int stroke = -1;        ///< its number
+  Eigen::Vector3d point;  ///< where it passes now; mm
+  double distance = 0.0;  ///< from where it passed before, mm
+};
+
 /// What became of a line.
 struct LineResult {
   /// Its pre-image: parts of the curve's parameter, 0 to 1, and places; two unless it was bent.
   std::vector<double> parts;
   std::vector<Eigen::Vector2d> places;
   int patches_split = 0;
-  int curves_moved = 0;                 ///< earlier curves and vertices that gave way
-  double largest_move = 0.0;            ///< of them, mm
-  std::map<int, double> moved_strokes;  ///< by number, and by how much at most; mm
+  int curves_moved = 0;           ///< earlier curves and vertices that gave way
+  double largest_move = 0.0;      ///< of them, mm
+  std::vector<StrokeMove> moves;  ///< of earlier strokes
 };
 
 /// What the curve of a line is.

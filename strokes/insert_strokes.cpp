@@ -30,11 +30,11 @@ void insert_strokes(SurfaceBuild& build, const std::vector<model::Stroke>& strok
     if (holds(left_out, number)) continue;
     outcome_of[number] = build.outcomes.size();
     build.outcomes.push_back(add_stroke(build.surface, strokes[number], number, options));
-    for (const auto& [other, move] : build.outcomes.back().moved_strokes) {
-      const auto moved = outcome_of.find(other);
+    for (const StrokeMove& move : build.outcomes.back().moves) {
+      const auto moved = outcome_of.find(move.stroke);
       if (moved == outcome_of.end()) continue;
       double& gave_way = build.outcomes[moved->second].gave_way_mm;
-      gave_way = std::max(gave_way, move);
+      gave_way = std::max(gave_way, move.distance);
     }
   }
 }
@@ -47,7 +47,10 @@ void measure_deviations(SurfaceBuild& build) {
 }
 
 void make_smooth(SurfaceBuild& build, const SmoothBase& base, const SmoothOptions& options) {
-  SmoothSurface smooth = smooth_surface(build.surface.net, base, options);
+  std::vector<StrokeMove> moves;
+  for (const StrokeOutcome& outcome : build.outcomes)
+    moves.insert(moves.end(), outcome.moves.begin(), outcome.moves.end());
+  SmoothSurface smooth = smooth_surface(build.surface.net, base, moves, options);
   build.surface = SurfaceModel(std::move(smooth.net));
   build.smooth = SmoothReport{options.tolerance_mm, smooth.cells, smooth.fairness, 0.0};
   measure_deviations(build);

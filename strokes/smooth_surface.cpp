@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "strokes/base_net.hpp"
 #include "strokes/fit_carrier.hpp"
@@ -16,8 +17,28 @@ constexpr double fitted_part = 0.5, carried_part = 0.45, edge_part = 0.02, sag_p
 constexpr int fewest_chords = 24;
 constexpr double sample_spacing = 0.01;  // of the domain
 
-/// What was drawn along the edges of a net.
-std::vector<CarrierSample> drawn_samples(const Net& net) {
+/// Where strokes gave way, by stroke.
+using Moves = std::map<int, std::vector<StrokeMove>>;
+
+Moves moves_by_stroke(const std::vector<StrokeMove>& moves) {
+  Moves result;
+  for (const StrokeMove& move : moves) result[move.stroke].push_back(move);
+  return result;
+}
+
+// The newer stroke decides how far the move of an earlier one reaches: this many times the move.
+constexpr double move_spread = 8.0;
+
+bool gave_way(const Moves& moves, int stroke, const Eigen::Vector3d& point) {
+  const auto found = moves.find(stroke);
+  return found != moves.end() &&
+         std::any_of(found->second.begin(), found->second.end(), [&](const StrokeMove& move) {
+           return (point - move.point).norm() < move_spread * move.distance;
+         });
+}
+
+/// What was drawn along the edges of a net and holds.
+std::vector<CarrierSample> drawn_samples(const Net& net, const Moves& moves) {
   std::vector<CarrierSample> samples;
   for (const Edge& edge : net.edges) {
     if (is_outer(edge) || !(edge.drawn_from < edge.drawn_to)) continue;
@@ -27,8 +48,9 @@ std::vector<CarrierSample> drawn_samples(const Net& net) {
     for (int k = 0; k <= spans; ++k) {
       const double t = edge.drawn_from + part * k / spans;
       const double share = k == 0 || k == spans ? 0.5 : 1.0;
-      samples.push_back(
-          {domain_place(net, edge, t), model::curve_point(edge.curve, t), share * length / spans});
+      const Eigen::Vector3d point = model::curve_point(edge.curve, t);
+      if (!gave_way(moves, edge.stroke, point))
+        samples.push_back({domain_place(net, edge, t), point, share * length / spans});
     }
   }
   return samples;
@@ -61,7 +83,8 @@ SmoothBase spanned_base(const std::vector<model::SplineCurve>& boundary) {
   return {blended_surface(boundary), {boundary}};
 }
 
-SmoothSurface smooth_surface(const Net& net, const SmoothBase& base, const SmoothOptions& options) {
+SmoothSurface smooth_surface(const Net& net, const SmoothBase& base,
+                             const std::vector<StrokeMove>& moves, const SmoothOptions& options) {
   CarrierOptions carrier;
   carrier.tolerance_mm = carried_part * options.tolerance_mm;
   carrier.fair = options.fair;
@@ -69,7 +92,7 @@ SmoothSurface smooth_surface(const Net& net, const SmoothBase& base, const Smoot
   carrier.border_order = base.keeps_planes ? 2 : 1;
   carrier.slides = !base.keeps_planes;
   const CarrierFit fit = fit_carrier(base.surface, base_domain(base.border.curves.size()),
-                                     drawn_samples(net), carrier);
+                                     drawn_samples(net, moves_by_stroke(moves)), carrier);
   return {smooth_net(net, fit.carrier, base.border, edge_part * options.tolerance_mm), fit.cells,
           fit.fairness};
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "strokes/insert_line.hpp"
 #include "strokes/net.hpp"
 #include "strokes/points.hpp"
 #include "strokes/smooth_net.hpp"
@@ -46,7 +47,9 @@ struct SmoothSurface {
 };
 
 /// Lays a net that grew from coarse_net() on a carrier within half the tolerance of all that was
-/// drawn; what edges have beyond that, extensions and cuts, follows.
-SmoothSurface smooth_surface(const Net& net, const SmoothBase& base, const SmoothOptions& options);
+/// drawn; what edges have beyond that, extensions and cuts, follows. So do earlier strokes around
+/// the places where they gave way, as far as the move takes to fade gently.
+SmoothSurface smooth_surface(const Net& net, const SmoothBase& base,
+                             const std::vector<StrokeMove>& moves, const SmoothOptions& options);
 
 }  // namespace bodyline::strokes

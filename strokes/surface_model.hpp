@@ -1,10 +1,10 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "model/stroke.hpp"
+#include "strokes/insert_line.hpp"
 #include "strokes/net.hpp"
 #include "strokes/rejection.hpp"
 #include "strokes/surface_index.hpp"
@@ -34,12 +34,12 @@ struct StrokeOutcome {
   int patches_split = 0;
   int curves_moved = 0;  ///< earlier curves and vertices that gave way to it
   double largest_move_mm = 0.0;
-  int ends_extended = 0;                ///< ends, of all pieces, that lay inside a patch
-  int points_trimmed = 0;               ///< beyond the curves it begins and ends on
-  std::vector<Eigen::Vector3d> drawn;   ///< what of it is left, as it was inserted; mm
-  std::map<int, double> moved_strokes;  ///< earlier strokes that gave way, by number; mm
-  double gave_way_mm = 0.0;             ///< to later strokes
-  double deviation_mm = 0.0;            ///< largest distance of `drawn` from the finished surface
+  int ends_extended = 0;               ///< ends, of all pieces, that lay inside a patch
+  int points_trimmed = 0;              ///< beyond the curves it begins and ends on
+  std::vector<Eigen::Vector3d> drawn;  ///< what of it is left, as it was inserted; mm
+  std::vector<StrokeMove> moves;       ///< of what was drawn of earlier strokes
+  double gave_way_mm = 0.0;            ///< to later strokes
+  double deviation_mm = 0.0;           ///< largest distance of `drawn` from the finished surface
 };
 
 /// A surface that grows stroke by stroke.

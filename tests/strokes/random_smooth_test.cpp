@@ -30,6 +30,7 @@ struct Growth {
   SmoothBoundary boundary;
   SurfaceModel coarse;
   std::vector<StrokeOutcome> outcomes;
+  std::vector<StrokeMove> moves;
 
   explicit Growth(const std::vector<Points>& loop)
       : boundary(smooth_boundary(loop, tolerance_mm)),
@@ -42,11 +43,15 @@ struct Growth {
     options.tolerance_mm = tolerance_mm;
     const int number = static_cast<int>(outcomes.size());
     outcomes.push_back(add_stroke(coarse, stroke, number, options));
-    for (const auto& [other, move] : outcomes.back().moved_strokes)
-      if (other >= 0) outcomes[other].gave_way_mm = std::max(outcomes[other].gave_way_mm, move);
+    for (const StrokeMove& move : outcomes.back().moves) {
+      moves.push_back(move);
+      if (move.stroke < 0) continue;
+      double& gave_way = outcomes[move.stroke].gave_way_mm;
+      gave_way = std::max(gave_way, move.distance);
+    }
   }
   Net smooth(int most_cells) const {
-    return smooth_surface(coarse.net, spanned_base(boundary.curves),
+    return smooth_surface(coarse.net, spanned_base(boundary.curves), moves,
                           {.tolerance_mm = tolerance_mm, .most_cells = most_cells})
         .net;
   }
