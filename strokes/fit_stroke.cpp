@@ -149,6 +149,9 @@ bool halve(const std::vector<double>& parameters, const std::vector<double>& dev
 }  // namespace
 
 StrokeFit fit_stroke(const Points& points, double tolerance_mm) {
+  // Two points leave more open than third differences decide.
+  if (points.size() == 2)
+    return {model::raised_curve(model::polyline_curve({0.0, 1.0}, points), degree), 0.0};
   const std::vector<double> chords = chord_parameters(points);
   std::vector<double> breaks{0.0, 1.0};
   StrokeFit fit;

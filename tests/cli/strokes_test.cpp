@@ -71,8 +71,7 @@ TEST_F(StrokesCommand, WhatItWritesAsJsonItReadsAgain) {
 }
 
 TEST_F(StrokesCommand, WritesEveryFormatThatExportKnows) {
-  for (const char* const name :
-       {"a.stp", "a.iges", "a.igs", "a.stl", "a.obj", "a.ply", "a.glb", "a.gltf"}) {
+  for (const char* const name : {"a.stp", "a.iges", "a.stl", "a.obj", "a.ply", "a.glb", "a.gltf"}) {
     EXPECT_EQ(bodyline({"strokes", "strokes.csv", "-o", name}).exit_code, 0) << name;
     EXPECT_FALSE(text(name).empty());
   }
@@ -87,8 +86,11 @@ TEST_F(StrokesCommand, DrawsAPicture) {
 }
 
 TEST_F(StrokesCommand, ARejectedStrokeIsReportedWithItsReasonAndExitCode1) {
-  write("more.csv", boundary + across + "100 100 20\n100 -300 20\n");
-  const auto run = bodyline({"strokes", "more.csv", "-o", "a.stl", "--json"});
+  write("more.csv",
+        "stroke,x,y,z\nrim 1,0,0,0\nrim 1,1000,0,0\nrim 2,1000,0,0\nrim 2,1000,700,0\n"
+        "rim 3,1000,700,0\nrim 3,0,700,0\nrim 4,0,700,0\nrim 4,0,0,0\n"
+        "good,500,0,0\ngood,500,350,60\ngood,500,700,0\nbad,100,100,20\nbad,100,-300,20\n");
+  const auto run = bodyline({"strokes", "more.csv", "-o", "a.stl", "--json", "--boundary", "rim*"});
   EXPECT_EQ(run.exit_code, 1);
   const auto inside = nlohmann::json::parse(run.out)["inside"];
   EXPECT_EQ(inside[0]["rejection"], nullptr);
