@@ -1,5 +1,7 @@
 #include "strokes/pull.hpp"
 
+#include <algorithm>
+
 #include "strokes/points.hpp"
 
 namespace bodyline::strokes {
@@ -34,9 +36,14 @@ struct Reach {
   double from = 0.0, to = 1.0;
 };
 
-Reach reach_of(const Edge& edge, double t, Fade fade) {
+Reach reach_of(const Edge& edge, double t, double distance, Fade fade) {
   Reach reach;
-  if (fade == Fade::linear || !(edge.drawn_from < edge.drawn_to) || is_drawn(edge, t)) return reach;
+  if (fade == Fade::linear || !(edge.drawn_from < edge.drawn_to)) return reach;
+  if (is_drawn(edge, t)) {
+    const double length = polyline_length(edge.curve.points);
+    const double part = length > 0.0 ? move_spread * distance / length : 1.0;
+    return {std::max(0.0, t - part), std::min(1.0, t + part)};
+  }
   (t < edge.drawn_from ? reach.to : reach.from) =
       t < edge.drawn_from ? edge.drawn_from : edge.drawn_to;
   return reach;
@@ -44,7 +51,7 @@ Reach reach_of(const Edge& edge, double t, Fade fade) {
 
 // Weight 1 at t and 0 beyond its reach.
 model::SplineCurve faded(const Edge& edge, double t, const Eigen::Vector3d& delta, Fade fade) {
-  const Reach reach = reach_of(edge, t, fade);
+  const Reach reach = reach_of(edge, t, delta.norm(), fade);
   std::vector<double> weights, breaks;
   const auto add = [&](double at, double weight) {
     if (!breaks.empty() && at - breaks.back() <= model::same_parameter) return;
@@ -63,8 +70,7 @@ model::SplineCurve faded(const Edge& edge, double t, const Eigen::Vector3d& delt
 
 bool moves_drawn(const Edge& edge, double t, Fade fade) {
   if (!(edge.drawn_from < edge.drawn_to)) return false;
-  const Reach reach = reach_of(edge, t, fade);
-  return reach.from < edge.drawn_to && reach.to > edge.drawn_from;
+  return fade == Fade::linear || is_drawn(edge, t);
 }
 
 void pull_edge(NetEdit& edit, int index, double t, const Eigen::Vector3d& delta, Fade fade) {

@@ -8,8 +8,13 @@ namespace bodyline::strokes {
 /// How a move fades along an edge.
 enum class Fade {
   linear,  ///< as the paper has it: w, up to the ends of the edge
-  smooth   ///< without kinks: w^2 (3 - 2 w); where the edge was not drawn up to where it was
+  /// Without kinks: w^2 (3 - 2 w); where the edge was not drawn up to where it was, where it was
+  /// over `move_spread` times the move.
+  smooth
 };
+
+/// How far a smooth move of what was drawn reaches to either side along an edge, in times the move.
+inline constexpr double move_spread = 8.0;
 
 /// Moves an edge so that it passes through its point at t plus `delta`: every point by w delta
 /// (faded), w = tau / t before t and (1 - tau) / (1 - t) behind. The ends stay.

@@ -26,9 +26,7 @@ Moves moves_by_stroke(const std::vector<StrokeMove>& moves) {
   return result;
 }
 
-// The newer stroke decides how far the move of an earlier one reaches: this many times the move.
-constexpr double move_spread = 8.0;
-
+// Where the newer stroke decides.
 bool gave_way(const Moves& moves, int stroke, const Eigen::Vector3d& point) {
   const auto found = moves.find(stroke);
   return found != moves.end() &&
