@@ -18,6 +18,11 @@ constexpr double blend_rows[4][4] = {{1.0, 1.0, 0.0, 0.0},
                                      {0.0, 1.0 / 3.0, 0.0, 0.0},
                                      {0.0, 0.0, -1.0 / 3.0, 0.0}};
 
+std::array<double, 4> blend_values(double x) {
+  const double y = 1.0 - x;
+  return {y * y * (1.0 + 2.0 * x), x * x * (3.0 - 2.0 * x), x * y * y, -x * x * y};
+}
+
 // Which side (in the order of Sides) belongs to value or derivative k at the low or high end.
 constexpr int side_in_t[2] = {0, 2};  // t = 0, t = 1: curves over s
 constexpr int side_in_s[2] = {3, 1};  // s = 0, s = 1: curves over t
@@ -73,11 +78,7 @@ Vector3d PatchShape::point(const Eigen::Vector2d& st) const {
   const int blends = sides_.has_ribbons ? 4 : 2;
   Vector3d sum = Vector3d::Zero();
   if (inner_) sum = inner_->jet(st[0], st[1]).row(0).transpose();
-  double in_s[4], in_t[4];
-  for (int k = 0; k < blends; ++k) {
-    in_s[k] = model::bezier_jet(blend_rows[k], blend_degree, st[0])[0];
-    in_t[k] = model::bezier_jet(blend_rows[k], blend_degree, st[1])[0];
-  }
+  const std::array<double, 4> in_s = blend_values(st[0]), in_t = blend_values(st[1]);
   for (int k = 0; k < blends; ++k) {
     if (in_t[k] != 0.0) sum += in_t[k] * model::curve_point(blended(sides_, side_in_t, k), st[0]);
     if (in_s[k] != 0.0) sum += in_s[k] * model::curve_point(blended(sides_, side_in_s, k), st[1]);
