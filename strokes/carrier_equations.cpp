@@ -14,7 +14,10 @@ using Eigen::Vector3d;
 constexpr int nodes = 3;  // of Gauss's rule, per direction of a cell
 constexpr double node[nodes] = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr double node_weight[nodes] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-// What is added to the diagonal for functions that no node and no sample sees, of its mean.
+// Of the displacement's energy outside of the domain: without it functions of which hardly anything
+// lies inside would be free.
+constexpr double outside_share = 1e-4;
+// What is added to the diagonal, of its mean.
 constexpr double ridge = 1e-13;
 
 using Block = Eigen::Matrix<double, CarrierBasis::at_once, CarrierBasis::at_once>;
@@ -67,16 +70,16 @@ void CarrierEquations::add_energy() {
     for (int j = 0; j < basis_.cells; ++j) {
       Block block = Block::Zero();
       CarrierBasis::Row row;
-      bool seen = false;
       for (int k = 0; k < nodes * nodes; ++k) {
         const int in_s = k / nodes, in_t = k % nodes;
         const Vector2d place((i + node[in_s]) * cell, (j + node[in_t]) * cell);
-        if (depth(basis_.domain, place) < 0.0) continue;
-        seen = true;
         row = basis_.row(place);
         const auto bends = row.jet.bottomRows<3>();
-        const Vector3d weight = node_weight[in_s] * node_weight[in_t] * cell * cell * scale;
+        const bool inside = depth(basis_.domain, place) >= 0.0;
+        const Vector3d weight = (inside ? 1.0 : outside_share) * node_weight[in_s] *
+                                node_weight[in_t] * cell * cell * scale;
         block += bends.transpose() * weight.asDiagonal() * bends;
+        if (!inside) continue;
         const PatchJet jet = base_(place);
         Matrix3d of_base;
         of_base << jet.ss.transpose(), jet.st.transpose(), jet.tt.transpose();
@@ -85,7 +88,7 @@ void CarrierEquations::add_energy() {
         for (int f = 0; f < CarrierBasis::at_once; ++f)
           energy_right_.row(row.index[f]) -= right.row(f);
       }
-      if (seen) energy_.add(basis_, row.index, block);
+      energy_.add(basis_, row.index, block);
     }
   }
 }

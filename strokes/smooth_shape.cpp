@@ -1,5 +1,7 @@
 #include "strokes/smooth_shape.hpp"
 
+#include <Eigen/Geometry>
+
 #include "strokes/patch_map.hpp"
 
 namespace bodyline::strokes {
@@ -11,6 +13,8 @@ using model::SplineCurve;
 
 // Of the displacement inside a patch, per direction.
 constexpr int fewest_cells = 2, most_cells = 32;
+constexpr double turned_sine = 1e-3;    // largest angle between normals of a patch and its carrier
+constexpr double cells_per_cell = 4.0;  // of the carrier: thin patches have twisted maps
 
 /// A side in the direction of growing s or t.
 struct SmoothSide {
@@ -99,7 +103,7 @@ struct OnCarrier {
   const Carrier& carrier;
   const Polygon& corners;
 
-  Vector3d point(double s, double t) const { return carrier.jet(to_domain(corners, {s, t})).point; }
+  PatchJet jet(double s, double t) const { return carrier.jet(to_domain(corners, {s, t})); }
   InnerSpline::Node node(double s, double t) const {
     const Vector2d low = corners[1] - corners[0],
                    high = corners.size() == 3 ? Vector2d(0.0, 0.0) : corners[2] - corners[3],
@@ -115,17 +119,23 @@ struct OnCarrier {
   }
 };
 
-// About as many cells as the carrier has over the patch, by powers of two.
+// As many cells as the carrier has over the patch, times cells_per_cell, by powers of two.
 int finest_cells(const Polygon& corners, const Carrier& carrier) {
   Vector2d low = corners.front(), high = corners.front();
   for (const Vector2d& corner : corners) {
     low = low.cwiseMin(corner);
     high = high.cwiseMax(corner);
   }
-  const double wanted = (high - low).maxCoeff() * carrier.basis().cells;
+  const double wanted = cells_per_cell * (high - low).maxCoeff() * carrier.basis().cells;
   int cells = fewest_cells;
   while (cells < wanted && cells < most_cells) cells *= 2;
   return cells;
+}
+
+bool agree(const PatchJet& a, const PatchJet& b, double tolerance_mm) {
+  if ((a.point - b.point).norm() > tolerance_mm) return false;
+  const Vector3d normal_a = a.s.cross(a.t), normal_b = b.s.cross(b.t);
+  return normal_a.cross(normal_b).norm() <= turned_sine * normal_a.norm() * normal_b.norm();
 }
 
 // Tested between the nodes of a grid.
@@ -133,7 +143,7 @@ bool follows(const PatchShape& shape, const OnCarrier& on_carrier, int cells, do
   for (int i = 0; i < cells; ++i) {
     for (int j = 0; j < cells; ++j) {
       const double s = (i + 0.5) / cells, t = (j + 0.5) / cells;
-      if ((shape.point({s, t}) - on_carrier.point(s, t)).norm() > tolerance_mm) return false;
+      if (!agree(shape.jet({s, t}), on_carrier.jet(s, t), tolerance_mm)) return false;
     }
   }
   return true;

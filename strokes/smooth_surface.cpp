@@ -13,7 +13,7 @@ namespace bodyline::strokes {
 namespace {
 
 // Parts of the tolerance.
-constexpr double fitted_part = 0.5, carried_part = 0.45, edge_part = 0.02, sag_part = 0.02;
+constexpr double fitted_part = 0.5, carried_part = 0.45, edge_part = 1e-2, sag_part = 0.02;
 constexpr int fewest_chords = 24;
 constexpr double sample_spacing = 0.01;  // of the domain
 
