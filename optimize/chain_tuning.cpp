@@ -23,6 +23,27 @@ void check_patterns(const std::vector<model::ChainVariable>& variables,
   }
 }
 
+// A search judges all gains by the value that it started from; where that has become small, as
+// after a chain with a cusp, it is not to be trusted.
+constexpr double large_fall = 1e-2;
+
+Result search_to_end(Problem& problem, const Eigen::VectorXd& start, const Options& search) {
+  Result found = minimize(problem, start, search);
+  const auto fell = [](const Result& result) {
+    return (result.status == Status::converged || result.status == Status::small_improvement) &&
+           result.value < large_fall * result.start_value;
+  };
+  bool again = fell(found);
+  while (again) {
+    Result next = minimize(problem, found.x, search);
+    again = fell(next);
+    next.evaluations += found.evaluations;
+    next.seconds += found.seconds;
+    found = std::move(next);
+  }
+  return found;
+}
+
 // The default patterns may match nothing: a chain without G2 has no slide.
 bool is_default(const std::vector<std::string>& patterns) {
   return patterns == ChainTuningOptions{}.vary;
@@ -50,7 +71,7 @@ ChainTuning tune(ChainObjective& problem, const Options& search) {
   tuning.start_values = problem.start();
   problem.value(tuning.start_values, nullptr);
   tuning.start_measure = problem.measure();
-  const Result found = minimize(problem, tuning.start_values, search);
+  const Result found = search_to_end(problem, tuning.start_values, search);
   tuning.status = found.status;
   tuning.end_values = found.x;
   problem.value(found.x, nullptr);
