@@ -81,8 +81,9 @@ void run_patches(Context& context, io::ChainFile& file, const Request& request) 
   std::string text;
   if (request.fair) {
     if (request.measure != "bending")
-      throw std::invalid_argument("--measure of patches is bending; curves know " +
-                                  fmt::format("{}", fmt::join(model::curve_fairness_names(), ", ")));
+      throw std::invalid_argument(
+          "--measure of patches is bending; curves know " +
+          fmt::format("{}", fmt::join(model::curve_fairness_names(), ", ")));
     auto options = fair_options<optimize::FairChainOptions>(request);
     const WatchedSearch watched(context, options.search);
     const optimize::FairChainResult result = optimize::fair_chain(chain, options);
@@ -165,8 +166,9 @@ void add_options(CLI::App& command, Request& request) {
       ->capture_default_str();
   add_picture_options(command, request.picture);
   command
-      .add_option("--comb", request.comb_mm,
-                  "Draw curvature combs on curves, their teeth this long where the radius is 100 mm")
+      .add_option(
+          "--comb", request.comb_mm,
+          "Draw curvature combs on curves, their teeth this long where the radius is 100 mm")
       ->type_name("MM")
       ->check(positive_number());
   command

@@ -84,10 +84,10 @@ std::string chain_variables_text(const model::CurveChain& chain) {
 }
 
 std::string chain_tuning_text(const optimize::ChainTuning& tuning, const std::string& measure) {
-  return fmt::format(
-      "{}\n{} {:.6g} before, {:.6g} after; {} variables, {} evaluations, {:.2f} s\n",
-      optimize::status_words(tuning.status), measure, tuning.start_measure, tuning.end_measure,
-      tuning.variables.size(), tuning.evaluations, tuning.seconds);
+  return fmt::format("{}\n{} {:.6g} before, {:.6g} after; {} variables, {} evaluations, {:.2f} s\n",
+                     optimize::status_words(tuning.status), measure, tuning.start_measure,
+                     tuning.end_measure, tuning.variables.size(), tuning.evaluations,
+                     tuning.seconds);
 }
 
 }  // namespace bodyline::cli

@@ -34,8 +34,7 @@ std::vector<Tooth> comb(const model::FamilyCurve& curve, double comb_mm) {
     const model::CurveJet jet = model::jet(curve, double(k) / teeth);
     const double speed2 = jet.d[1].squaredNorm();
     if (speed2 == 0.0) continue;
-    const Vector3d curvature =
-        (jet.d[2] - (jet.d[2].dot(jet.d[1]) / speed2) * jet.d[1]) / speed2;
+    const Vector3d curvature = (jet.d[2] - (jet.d[2].dot(jet.d[1]) / speed2) * jet.d[1]) / speed2;
     comb.push_back({jet.d[0], jet.d[0] - comb_mm * comb_radius_mm * curvature});
   }
   return comb;

@@ -8,7 +8,7 @@
 namespace bodyline::io {
 
 struct ChainDrawing {
-  View view;  ///< in parallel projection
+  View view;                      ///< in parallel projection
   int width = 800, height = 600;  ///< pixels
   /// Length of the teeth of curvature combs where the radius is 100 mm, in mm; no combs when 0.
   double comb_mm = 0.0;

@@ -33,7 +33,7 @@ void add_point_variables(const std::string& name, int at, std::vector<ChainVaria
   for (int axis = 0; axis < 3; ++axis) {
     variables.push_back({"point." + name + "." + "xyz" [axis],
                          ChainKind::point,
-                         {at + axis},
+                         { at + axis },
                          -infinity,
                          infinity,
                          false});

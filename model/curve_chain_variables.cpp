@@ -51,9 +51,9 @@ void add_joins(const CurveChain& chain, const CurveChainLayout& layout,
   for (int j = 0; j < int(chain.joins.size()); ++j) {
     const CurveJoin& join = chain.joins[j];
     const FamilyCurve& second = chain.curves[(j + 1) % int(chain.curves.size())];
-    add_join_variables({second.name, join.continuity, join.ratio, join.slide, layout.ratio(j),
-                        layout.slide(j)},
-                       variables);
+    add_join_variables(
+        {second.name, join.continuity, join.ratio, join.slide, layout.ratio(j), layout.slide(j)},
+        variables);
   }
 }
 

@@ -66,7 +66,7 @@ Derivatives derivatives(const FamilyCurve& curve, const BasisJet& jet) {
 // Spans of [0, 1]: halves, each cut again and again towards its end of the curve.
 std::vector<double> span_ends(double most_shape) {
   std::vector<double> half;
-  for (double end = 0.5; ; end /= resolved_shape) {
+  for (double end = 0.5;; end /= resolved_shape) {
     half.push_back(end);
     if (end * most_shape <= resolved_shape) break;
   }
@@ -119,8 +119,7 @@ double fairness_pullback(const FamilyCurve& curve, CurveFairness measure, const 
     sum += rule.weights[q] * density(measure, derivatives(curve, jet), &r_bar);
     for (Vector3d& b : r_bar) b *= weight * rule.weights[q];
     for (int i = 0; i <= curve.degree(); ++i) {
-      for (int order = 0; order < 3; ++order)
-        bar.points[i] += jet.d[order + 1][i] * r_bar[order];
+      for (int order = 0; order < 3; ++order) bar.points[i] += jet.d[order + 1][i] * r_bar[order];
     }
     for (int k = 0; k < basis->shape_count(); ++k) {
       const BasisJet slope = basis->shape_derivative(rule.nodes[q], curve.shape, k);

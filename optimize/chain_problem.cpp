@@ -32,8 +32,8 @@ std::vector<Eigen::Vector3d> points_of(const std::vector<double>& numbers) {
 ChainProblem::ChainProblem(const model::PatchChain& chain,
                            std::vector<model::ChainVariable> variables,
                            const ChainProblemOptions& options)
-    : ChainObjective(std::move(variables),
-                     to_numbers(propagated(chain), model::ChainLayout(chain)), options.within),
+    : ChainObjective(std::move(variables), to_numbers(propagated(chain), model::ChainLayout(chain)),
+                     options.within),
       chain_(propagated(chain)),
       layout_(chain),
       options_(options) {

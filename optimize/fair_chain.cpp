@@ -8,8 +8,7 @@ namespace {
 
 template <class Problem, class Result, class Chain, class FairOptions>
 Result tuned(const Chain& chain, const FairOptions& options) {
-  Problem problem(chain, chosen_variables(model::chain_variables(chain), options),
-                  options.problem);
+  Problem problem(chain, chosen_variables(model::chain_variables(chain), options), options.problem);
   Result result;
   static_cast<ChainTuning&>(result) = tune(problem, options.search);
   result.chain = problem.chain_at(result.end_values);

@@ -77,20 +77,21 @@ optimize::FairCurveChainOptions options_of(const Case& at) {
 }
 
 class FairCurves : public ::testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(
-    Families, FairCurves,
-    ::testing::Values(Case{"bezier-like", 1, false, CurveFairness::bending},
-                      Case{"bezier-like", 2, true, CurveFairness::bending},
-                      Case{"bezier-like", 2, true, CurveFairness::variation},
-                      Case{"h-bezier", 1, true, CurveFairness::bending},
-                      Case{"h-bezier", 1, true, CurveFairness::variation},
-                      Case{"h-bezier", 2, false, CurveFairness::bending},
-                      Case{"h-bezier", 2, true, CurveFairness::variation}),
-    [](const auto& at) {
-      return at.param.family.substr(0, 1) + std::to_string(at.param.continuity) +
-             (at.param.closed ? "_closed" : "_open") +
-             (at.param.measure == CurveFairness::bending ? "_bending" : "_variation");
-    });
+INSTANTIATE_TEST_SUITE_P(Families, FairCurves,
+                         ::testing::Values(Case{"bezier-like", 1, false, CurveFairness::bending},
+                                           Case{"bezier-like", 2, true, CurveFairness::bending},
+                                           Case{"bezier-like", 2, true, CurveFairness::variation},
+                                           Case{"h-bezier", 1, true, CurveFairness::bending},
+                                           Case{"h-bezier", 1, true, CurveFairness::variation},
+                                           Case{"h-bezier", 2, false, CurveFairness::bending},
+                                           Case{"h-bezier", 2, true, CurveFairness::variation}),
+                         [](const auto& at) {
+                           return at.param.family.substr(0, 1) +
+                                  std::to_string(at.param.continuity) +
+                                  (at.param.closed ? "_closed" : "_open") +
+                                  (at.param.measure == CurveFairness::bending ? "_bending"
+                                                                              : "_variation");
+                         });
 
 TEST_P(FairCurves, GradientIsTheDerivativeForEveryVariable) {
   const CurveChain chain = curve_chain(GetParam());
@@ -107,8 +108,7 @@ TEST_P(FairCurves, GradientIsTheDerivativeForEveryVariable) {
 
 TEST_P(FairCurves, ImprovesAndKeepsEveryJoin) {
   const CurveChain chain = curve_chain(GetParam());
-  const optimize::FairCurveChainResult result =
-      optimize::fair_chain(chain, options_of(GetParam()));
+  const optimize::FairCurveChainResult result = optimize::fair_chain(chain, options_of(GetParam()));
   EXPECT_TRUE(result.status == optimize::Status::converged ||
               result.status == optimize::Status::small_improvement)
       << optimize::status_words(result.status);
@@ -118,7 +118,8 @@ TEST_P(FairCurves, ImprovesAndKeepsEveryJoin) {
 
 TEST_P(FairCurves, TunedChainStays) {
   const optimize::FairCurveChainOptions options = options_of(GetParam());
-  const optimize::FairCurveChainResult once = optimize::fair_chain(curve_chain(GetParam()), options);
+  const optimize::FairCurveChainResult once =
+      optimize::fair_chain(curve_chain(GetParam()), options);
   const optimize::FairCurveChainResult again = optimize::fair_chain(once.chain, options);
   EXPECT_LE(again.end_measure, once.end_measure);
   EXPECT_NEAR(again.end_measure, once.end_measure, 1e-5 * once.end_measure);
@@ -188,13 +189,15 @@ TEST(FairCurves, StraightChainStays) {
 // y = x^2 / 2 from x = 0 to 1; with x = tan a the curvature is cos^3 a and ds = da / cos^3 a.
 TEST(CurveFairnessOf, AParabolaIsThatOfItsClosedForm) {
   const model::FamilyCurve parabola{
-      "parabola", "h-bezier", {{0, 0, 0}, {1.0 / 3, 0, 0}, {2.0 / 3, 0, 1.0 / 6}, {1, 0, 0.5}},
+      "parabola",
+      "h-bezier",
+      {{0, 0, 0}, {1.0 / 3, 0, 0}, {2.0 / 3, 0, 1.0 / 6}, {1, 0, 0.5}},
       {0, 0, 0}};
   const model::GaussRule rule = model::curve_rule(4.0);
   const double s = 1.0 / std::sqrt(2.0);  // sin a at the end
   const double bending = s - s * s * s / 3;
-  const double variation =
-      9 * (std::pow(s, 3) / 3 - 3 * std::pow(s, 5) / 5 + 3 * std::pow(s, 7) / 7 - std::pow(s, 9) / 9);
+  const double variation = 9 * (std::pow(s, 3) / 3 - 3 * std::pow(s, 5) / 5 +
+                                3 * std::pow(s, 7) / 7 - std::pow(s, 9) / 9);
   EXPECT_NEAR(model::fairness(parabola, CurveFairness::bending, rule), bending,
               quadrature_relative * bending);
   EXPECT_NEAR(model::fairness(parabola, CurveFairness::variation, rule), variation,
@@ -204,11 +207,11 @@ TEST(CurveFairnessOf, AParabolaIsThatOfItsClosedForm) {
 // The nodes follow the turns at the ends of curves with large alphas.
 TEST(CurveFairnessOf, CurvesWithLargeAlphasIsResolved) {
   for (const double alpha : {0.0, 3.0, 20.0, 50.0}) {
-    const model::FamilyCurve curve{
-        "curve", "h-bezier", {{0, 0, 0}, {40, 30, 0}, {80, 40, 10}, {120, 0, 0}},
-        {alpha, 0.5 * alpha, 0.8 * alpha}};
-    const double value =
-        model::fairness(curve, CurveFairness::bending, model::curve_rule(alpha));
+    const model::FamilyCurve curve{"curve",
+                                   "h-bezier",
+                                   {{0, 0, 0}, {40, 30, 0}, {80, 40, 10}, {120, 0, 0}},
+                                   {alpha, 0.5 * alpha, 0.8 * alpha}};
+    const double value = model::fairness(curve, CurveFairness::bending, model::curve_rule(alpha));
     const double finer =
         model::fairness(curve, CurveFairness::bending, model::curve_rule(100.0 * alpha + 1000.0));
     EXPECT_NEAR(value, finer, 1e-5 * finer) << alpha;
