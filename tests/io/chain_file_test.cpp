@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/chain_picture.hpp"
 #include "io/input_error.hpp"
 #include "model/chain_faces.hpp"
 #include "tests/io/model_file_support.hpp"
@@ -41,22 +40,6 @@ TEST(ChainFile, FacesOfTheHullHaveNoGapBetweenThem) {
   for (const model::Surface& face : faces) along += face.name.starts_with("bow") ? 1 : 0;
   EXPECT_GT(along, 1u);
   EXPECT_GE(shared, 3);
-}
-
-TEST(ChainPicture, CombsHaveTeethOnEveryCurve) {
-  const auto chain = std::get<model::CurveChain>(io::read_chain(example("headlight")).chain);
-  io::ChainDrawing drawing;
-  const std::string plain = io::chain_svg(chain, drawing);
-  drawing.comb_mm = 10.0;
-  const std::string combed = io::chain_svg(chain, drawing);
-  const auto polylines = [](const std::string& svg) {
-    int count = 0;
-    for (std::size_t at = svg.find("<polyline"); at != svg.npos; at = svg.find("<polyline", at + 1))
-      ++count;
-    return count;
-  };
-  constexpr int per_curve = 25 + 1;  // teeth, and the line through their tips
-  EXPECT_EQ(polylines(combed) - polylines(plain), 8 * per_curve);
 }
 
 struct Mistake {
