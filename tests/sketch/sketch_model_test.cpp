@@ -13,6 +13,7 @@
 #include "model/check_findings.hpp"
 #include "model/connect.hpp"
 #include "sketch/curve_jet.hpp"
+#include "sketch/drawn_degrees.hpp"
 #include "sketch/gather_strokes.hpp"
 #include "sketch/template_drawing.hpp"
 #include "tests/sketch/drawn_curves.hpp"
@@ -108,6 +109,9 @@ TEST(SketchedModel, ComesBackFromItsTemplateDrawing) {
       drawings.back().paths.push_back(path);
     }
   }
+  const auto degrees = sketch::take_degrees(truth, drawings);
+  EXPECT_EQ(degrees,
+            (std::map<std::string, int>{{"roof__side_window", 5}}));  // one says it for all
   const auto result = sketch::sketch_model(car("template"), drawings);
   EXPECT_LT(most_moved(result.model, truth), 0.2);
 }
@@ -279,7 +283,9 @@ TEST(GatheredStrokes, AreFoundByNameLayerAndNumberedName) {
 
 TEST(TemplateDrawing, ShowsEveryCurveInTwoViewsOrMore) {
   const model::Model model = car("model2");
-  const sketch::TemplateDrawing drawn = sketch::template_drawing(model);
+  sketch::TemplateDrawing drawn = sketch::template_drawing(model);
+  for (model::DrawnPath& path : drawn.drawing.paths)
+    path.name = path.name.substr(0, path.name.find(' '));
   for (const model::Curve& curve : model.curves) {
     const auto count = std::count_if(drawn.drawing.paths.begin(), drawn.drawing.paths.end(),
                                      [&](const auto& path) { return path.name == curve.name; });
