@@ -65,6 +65,13 @@ io::PlacedViews place_views(const std::string& text, const std::vector<io::ViewF
     drawings.push_back({file.view, io::read_drawing(file.path), file.nose, file.scale, {}});
   try {
     return io::place_drawings(drawings, options);
+  } catch (const io::NoScale& error) {
+    const bool seen_along = error.view() != model::View::side && error.view() != model::View::top;
+    throw io::InputError(
+        text, 0, "",
+        fmt::format("{}: {}=FILE@1 where a unit of the drawing is 1 mm of the car, or --dimension "
+                    "{}=MM",
+                    error.what(), model::view_name(error.view()), seen_along ? "width" : "length"));
   } catch (const std::invalid_argument& error) {
     throw io::InputError(text, 0, "", error.what());
   }

@@ -24,8 +24,7 @@ io::FitReport deviation_report(const model::Model& model, model::Stage stage,
   report.field = deviation_field(model, stage, deviation, request.range);
   report.distances = report_distances(deviation.distances);
   for (const optimize::FaceDeviation& face : deviation.faces) {
-    report.faces.push_back(
-        {face.name, face.points, face.seen, face.mean, report_distances(face.distances)});
+    report.faces.push_back({face.name, face.points, face.seen, report_distances(face.distances)});
   }
   report.unseen_patches = deviation.unseen_patches;
   for (std::size_t k = 0; k < deviation.matches.size(); ++k) {

@@ -1,7 +1,6 @@
 #include "cli/fit_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/deviation_text.hpp"
 
@@ -30,6 +29,7 @@ nlohmann::ordered_json fit_json(const FittedCar& car) {
   if (car.deviation) {
     json["scan"] = car.scan->words;
     json["pose"] = pose_json(car.scan->pose);
+    json["alignment"] = alignment_json(*car.scan);
     json["distance_mm"] = distances_json(car.deviation->distances);
     json["unseen_patches"] = car.deviation->unseen_patches;
   }
@@ -52,10 +52,9 @@ std::string fit_text(const FittedCar& car) {
   text += optimize::status_words(car.result.status) + "\n\n";
   if (car.deviation) {
     text += deviation_table(*car.deviation);
-    if (!car.deviation->unseen_patches.empty()) {
-      text += fmt::format("Hardly seen by the scan, held by fairness alone: {}\n",
-                          fmt::join(car.deviation->unseen_patches, ", "));
-    }
+    const bool whole = car.scan->alignment.missing_end == optimize::MissingEnd::none;
+    text += unseen_words(*car.deviation, whole ? ", held by fairness alone"
+                                               : ", held by fairness and the start model");
   }
   text += drawn_text(car.kept);
   text += bounds_text(car.bounds, car.bounds_kept);

@@ -25,7 +25,6 @@ struct ReportFace {
   std::string name;
   std::size_t points = 0;
   double seen = 0.0;  ///< share of the face
-  double mean = 0.0;  ///< signed, mm
   ReportDistances distances;
 };
 

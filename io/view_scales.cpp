@@ -85,9 +85,11 @@ void take_full_size(std::vector<DrawnSize>& views, const KnownSizes& known,
     if (open == views.size()) return;
     if (drawn == views.size()) {
       const std::array<int, 2> shown = shown_sizes(views[open].view);
-      throw std::invalid_argument(fmt::format(
-          "nothing says how large the car is in the view {}: give a scale, or its {} or {}",
-          view_name(views[open].view), size_names[shown[0]], size_names[shown[1]]));
+      throw NoScale(
+          views[open].view,
+          fmt::format(
+              "nothing says how large the car is in the view {}: give a scale, or its {} or {}",
+              view_name(views[open].view), size_names[shown[0]], size_names[shown[1]]));
     }
     views[drawn].scale = views[drawn].unit_mm;
     notes.push_back(fmt::format("The view {} is taken to be drawn at full size.",
