@@ -107,6 +107,7 @@ void fit_and_measure(Context& context, const Request& request, FittedCar& car) {
   if (car.scan) {
     car.deviation =
         optimize::measure_deviation(car.result.model, car.scan->scan, car.scan->pose, measuring);
+    car.arches = optimize::arch_gaps(car.result.model, *car.deviation);
   }
   car.kept = measure_drawn(car.drawn, car.result.model);
   car.bounds_kept = optimize::measure_bounds(car.result.model, car.bounds);

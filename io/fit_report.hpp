@@ -54,6 +54,7 @@ struct ReportLine {
 struct FitReport {
   std::string title;
   std::string words;   ///< what was read and found, sentences
+  std::vector<std::string> warnings;  ///< what to look at first, sentences
   std::string status;  ///< how the fit ended; empty without a fit
   std::string command;
   std::optional<model::Model> before;  ///< what the fit started from

@@ -194,10 +194,18 @@ std::string end_words(MissingEnd end, const std::string& reference) {
   const std::string which = end == MissingEnd::front  ? "FRONT OF THE CAR IS"
                             : end == MissingEnd::rear ? "REAR OF THE CAR IS"
                                                       : "FRONT AND REAR OF THE CAR ARE";
-  return " THE " + which +
+  return "THE " + which +
          " NOT IN THE SCAN: length, overhang and wheelbase cannot be told from it; a fit gives "
          "what is missing the proportions of " +
          reference + ".";
+}
+
+std::string warning_of(const AlignResult& result, const std::string& reference) {
+  std::string words = end_words(result.missing_end, reference);
+  if (result.pose_is_doubtful)
+    words += std::string(words.empty() ? "" : " ") +
+             "AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
+  return words;
 }
 
 std::string described(const AlignResult& result, const std::string& reference) {
@@ -219,9 +227,7 @@ std::string described(const AlignResult& result, const std::string& reference) {
     std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
     words += text;
   }
-  if (result.pose_is_doubtful)
-    words += " AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
-  words += end_words(result.missing_end, reference);
+  if (!result.warning.empty()) words += " " + result.warning;
   if (result.doubt > worth_a_word)
     words += " Another orientation fits nearly as well: look at the result, or give the pose.";
   return words;
@@ -306,6 +312,7 @@ AlignResult align_scan(const model::Scan& scan, const model::Model& start,
   result.pose.rotation = placement.rotation;
   result.pose.translation = placement.translation;
   for (Vector3d& point : result.beyond_end.points) point /= car.unit.mm;
+  result.warning = warning_of(result, options.reference);
   result.words = described(result, options.reference);
   return result;
 }

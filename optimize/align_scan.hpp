@@ -40,6 +40,7 @@ struct AlignResult {
                            ///< the scan's coordinates; empty else
   bool pose_is_doubtful = false;  ///< at a given pose the scan does not lie like a car
   std::string words;              ///< all this for the user, in sentences
+  std::string warning;            ///< of them what must not be missed; empty when all is well
 };
 
 /// Finds where a scan of a car in any orientation, position and unit lies on a start model: which

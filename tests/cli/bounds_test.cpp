@@ -73,6 +73,14 @@ TEST_F(BoundsOptions, WhatIsNotKeptIsAFindingWithItsExitCode) {
   EXPECT_EQ(report.at("dimensions").at("length").at("kept"), false);
 }
 
+TEST(ArchWarnings, AreOfRimsOverTenMillimetresOff) {
+  const auto words = cli::arch_warnings(
+      {{true, "top", 9.9}, {true, "front", 12.4}, {false, "rear", -20.2}, {false, "top", -9.9}});
+  ASSERT_EQ(words.size(), 2u);
+  EXPECT_EQ(words[0], "wheel arch front, front: rim 12 mm short of the scan");
+  EXPECT_EQ(words[1], "wheel arch rear, rear: rim 20 mm beyond the scan");
+}
+
 TEST(FitFindings, AFitThatFailedOrABoundThatIsNotKept) {
   cli::FittedCar car;
   car.result.status = optimize::Status::small_improvement;

@@ -57,6 +57,7 @@ TEST_F(FitWords, ACarCutInHalfKeepsItsProportionsAndIsToldToBeHalf) {
   EXPECT_EQ(fit.at("alignment").at("missing_end"), "rear");
   EXPECT_THAT(fit.at("scan").get<std::string>(),
               HasSubstr("THE REAR OF THE CAR IS NOT IN THE SCAN"));
+  EXPECT_FALSE(fit.at("wheel_arches").empty());
   // The template is 4698 mm long; the stretch along the hidden half is a guess.
   const auto check = bodyline({"check", "car.toml", "--json"});
   EXPECT_NEAR(nlohmann::json::parse(check.out).at("totals").at("length_mm"), 4698.0, 500.0);

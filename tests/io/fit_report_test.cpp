@@ -72,6 +72,14 @@ TEST_F(FitReport, NamesWhatTheScanHardlyShows) {
   EXPECT_THAT(visible_text(page()), HasSubstr("Hardly seen by the scan: roof."));
 }
 
+TEST_F(FitReport, WarningsStandAtTheTop) {
+  io::FitReport report = small_fit();
+  report.warnings = {"The rear < is not in the scan."};
+  const std::string html = io::fit_report_page(report, small_pictures);
+  const std::size_t at = html.find("<p class=\"warning\">The rear &lt; is not in the scan.</p>");
+  EXPECT_LT(at, html.find("class=\"tiles\""));
+}
+
 TEST_F(FitReport, HasFiveMapsAndThreePairsOfPictures) {
   const std::regex picture("<img [^>]{0,200}src=\"data:image/png;base64,iVBOR");
   EXPECT_EQ(std::distance(std::sregex_iterator(page().begin(), page().end(), picture), {}), 11);
