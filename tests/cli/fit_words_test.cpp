@@ -9,6 +9,7 @@ namespace bodyline {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class FitWords : public testing::CommandLine {
  protected:
@@ -70,6 +71,33 @@ TEST_F(FitWords, OutlinesWithoutAScaleSayHowToGiveOne) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("side=FILE@1 where a unit of the drawing is 1 mm"));
   EXPECT_THAT(run.err, HasSubstr("--dimension length=MM"));
+}
+
+TEST_F(FitWords, AViewThatIsDrawnTheOtherWayRoundIsNamed) {
+  ASSERT_EQ(bodyline({"outline", car("template"), "-o", "{view}.csv"}).exit_code, 0);
+  const auto drawings = [&](const std::string& top) {
+    return json({"fit", "--views", "side=side.csv@1,top=top.csv@1" + top, "-o", "car.toml",
+                 "--overwrite", "--json"})
+        .at("drawings")
+        .get<std::string>();
+  };
+  EXPECT_THAT(drawings(""), Not(HasSubstr("THE VIEW")));
+  EXPECT_THAT(drawings(":nose-right"),
+              HasSubstr("THE VIEW top LOOKS AS IF ITS NOSE POINTED THE OTHER WAY, unlike the view "
+                        "side"));
+}
+
+TEST_F(FitWords, DrawingsThatDifferInASizeAreNamedWithIt) {
+  write("side.csv", "0,0\n4500,0\n4500,1400\n0,1400\n0,0\n");
+  write("top.csv", "0,0\n4500,0\n4500,1800\n0,1800\n0,0\n");
+  write("front.csv", "0,0\n2000,0\n2000,1400\n0,1400\n0,0\n");
+  const auto run = bodyline(
+      {"fit", "--views", "side=side.csv@1,top=top.csv@1,front=front.csv", "-o", "car.toml"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("the drawings differ in their width by"));
+  EXPECT_THAT(run.err, HasSubstr(" mm in top, "));
+  EXPECT_THAT(run.err, HasSubstr("; the drawings differ in their height by"));
+  EXPECT_THAT(run.err, HasSubstr(" mm in front"));
 }
 
 TEST_F(FitWords, WhatChoosesThePageNeedsOne) {
