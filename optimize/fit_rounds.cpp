@@ -14,10 +14,11 @@ constexpr int rounds_per_search = 2;  // points change their faces only then
 // From round to round of unfolding.
 constexpr int settle_rounds = 6;
 constexpr double fold_growth = 10.0;
-constexpr double fold_cosine_step = 0.1;
+constexpr double fold_cosine_step = 0.05;
 constexpr double rims_decay = 0.5;  // a rim that the scan does not show well may be what folds
 
-constexpr int nodes = 8, unfold_nodes = 16;
+// Folds begin in corners, which few nodes do not see.
+constexpr int nodes = 8, unfold_nodes = 32;
 
 // Evaluations of a round: the more, the more there is to move.
 constexpr int warp_evaluations = 60, curve_evaluations = 100, body_evaluations = 150;
