@@ -5,8 +5,9 @@
 namespace bodyline::optimize {
 namespace {
 
-// Measured on outlines of seven cars against three others: 0.00 to 1.05 from the side and to 1.26
-// from the top for those that point as said.
+// Measured on outlines of seven cars against three others: those that point as said reach 0.94 and
+// more from the side, 0.79 and more from the top; of those that do not, 18 of 21 are found from the
+// side and 5 of 21 from the top.
 constexpr double clearly_nearer = 0.7;
 
 bool tells(model::View view) { return view == model::View::side || view == model::View::top; }
