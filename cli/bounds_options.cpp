@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "io/read_hard_points.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 double number(std::string_view word, const std::string& text) {
   double value = 0.0;
-  if (!io::number_from_word(word, value) || !std::isfinite(value)) {
+  if (!io::number_from_word(word, value)) {
     throw std::invalid_argument(fmt::format(
         "'{}' is no bound of a dimension; write NAME=VALUE or NAME=LOW:HIGH, as length=4500",
         text));
@@ -55,7 +54,8 @@ optimize::Bounds read_bounds(const BoundsRequest& request, const model::Model& m
   optimize::Bounds bounds;
   for (const std::string& text : request.dimensions)
     bounds.dimensions.push_back(dimension_bound_from_text(text));
-  optimize::dimension_target(model, bounds.dimensions);  // refuses what the model does not have
+  optimize::dimension_target(model, bounds.dimensions);  // refuses what cannot be
+  bounds.dimensions = optimize::merged(bounds.dimensions);
   if (request.hard_points.empty()) return bounds;
   bounds.points = io::read_hard_points(request.hard_points);
   return bounds;

@@ -19,6 +19,7 @@
 #include "io/picture.hpp"
 #include "io/render.hpp"
 #include "model/chain_faces.hpp"
+#include "optimize/fair_chain.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -29,12 +30,14 @@ struct Request {
   std::string chain;
   Output output;  // nothing is written when its path is empty
   bool fair = false;
+  std::string measure = "bending";
   std::vector<std::string> vary, hold;
   double within = optimize::ChainProblemOptions{}.within;
   double tolerance_mm = 1e-3;
   PictureRequest picture;
   std::string map = "shade";
   std::optional<double> range;
+  double comb_mm = 0.0;
 };
 
 std::string extension(const Request& request) {
@@ -45,14 +48,14 @@ io::Overwrite overwrite(const Request& request) {
   return request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never;
 }
 
-optimize::FairChainResult tune(Context& context, const model::PatchChain& chain,
-                               const Request& request) {
-  optimize::FairChainOptions options;
+// The options that chains of patches and of curves share.
+template <class FairOptions>
+FairOptions fair_options(const Request& request) {
+  FairOptions options;
   if (!request.vary.empty()) options.vary = request.vary;
   options.hold = request.hold;
   options.problem.within = request.within;
-  const WatchedSearch watched(context, options.search);
-  return optimize::fair_chain(chain, options);
+  return options;
 }
 
 void draw(Context& context, const model::PatchChain& chain, const Request& request) {
@@ -77,9 +80,15 @@ void run_patches(Context& context, io::ChainFile& file, const Request& request) 
   model::PatchChain& chain = std::get<model::PatchChain>(file.chain);
   std::string text;
   if (request.fair) {
-    const optimize::FairChainResult result = tune(context, chain, request);
+    if (request.measure != "bending")
+      throw std::invalid_argument(
+          "--measure of patches is bending; curves know " +
+          fmt::format("{}", fmt::join(model::curve_fairness_names(), ", ")));
+    auto options = fair_options<optimize::FairChainOptions>(request);
+    const WatchedSearch watched(context, options.search);
+    const optimize::FairChainResult result = optimize::fair_chain(chain, options);
     chain = result.chain;
-    text = fair_chain_text(result) + "\n";
+    text = chain_tuning_text(result, request.measure) + "\n";
   }
   text += chain_joins_text(chain) + "\n" + chain_variables_text(chain);
   if (extension(request) == ".toml") {
@@ -92,18 +101,28 @@ void run_patches(Context& context, io::ChainFile& file, const Request& request) 
   *context.out << text;
 }
 
-void run_curves(Context& context, const io::ChainFile& file, const Request& request) {
-  const auto& chain = std::get<model::CurveChain>(file.chain);
-  if (request.fair) throw std::invalid_argument("--fair tunes chains of patches, not of curves");
+void run_curves(Context& context, io::ChainFile& file, const Request& request) {
+  auto& chain = std::get<model::CurveChain>(file.chain);
+  std::string text;
+  if (request.fair) {
+    auto options = fair_options<optimize::FairCurveChainOptions>(request);
+    options.problem.measure = model::curve_fairness(request.measure);
+    const WatchedSearch watched(context, options.search);
+    const optimize::FairCurveChainResult result = optimize::fair_chain(chain, options);
+    chain = result.chain;
+    text = chain_tuning_text(result, request.measure) + "\n";
+  }
+  text += chain_joins_text(chain) + "\n" + chain_variables_text(chain);
   if (extension(request) == ".toml") {
     io::write_chain(file, request.output.path, overwrite(request));
   } else if (!request.output.path.empty()) {
     const io::RenderOptions options = picture_options(request.picture);
-    io::write_file(request.output.path,
-                   io::chain_svg(chain, options.view, options.width, options.height),
-                   overwrite(request));
+    io::write_file(
+        request.output.path,
+        io::chain_svg(chain, {options.view, options.width, options.height, request.comb_mm}),
+        overwrite(request));
   }
-  *context.out << chain_joins_text(chain);
+  *context.out << text;
 }
 
 void run(Context& context, const Request& request) {
@@ -123,7 +142,12 @@ void run(Context& context, const Request& request) {
 }
 
 void add_options(CLI::App& command, Request& request) {
-  command.add_flag("--fair", request.fair, "Tune the chain until its patches bend least");
+  command.add_flag("--fair", request.fair, "Tune the chain until it bends least");
+  command
+      .add_option("--measure", request.measure,
+                  fmt::format("What tuning lessens; of curves {}",
+                              fmt::join(model::curve_fairness_names(), " or ")))
+      ->capture_default_str();
   add_patterns(command, "--vary", request.vary,
                fmt::format("Variables to tune; {} when left out",
                            fmt::join(optimize::FairChainOptions{}.vary, ", ")));
@@ -141,6 +165,12 @@ void add_options(CLI::App& command, Request& request) {
       ->check(positive_number())
       ->capture_default_str();
   add_picture_options(command, request.picture);
+  command
+      .add_option(
+          "--comb", request.comb_mm,
+          "Draw curvature combs on curves, their teeth this long where the radius is 100 mm")
+      ->type_name("MM")
+      ->check(positive_number());
   command
       .add_option("--map", request.map,
                   fmt::format("What colours say: {}", fmt::join(io::map_names(), ", ")))

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "model/chain_variables.hpp"
+#include "model/curve_chain_numbers.hpp"
+#include "model/curve_chain_variables.hpp"
 #include "model/join_measure.hpp"
 
 namespace bodyline::cli {
@@ -20,6 +22,22 @@ std::string join_line(const std::string& name, std::size_t width, const std::str
   return fmt::format("{:<{}}  {:<9}  {:>10}  {:>8.2g}  {:>12.3g}  {:>12.3g}\n", name, width,
                      direction, fmt::format("G{}", continuity), measure.gap_mm,
                      measure.direction_deg, measure.curvature_jump_per_mm);
+}
+
+std::string variables_text(std::vector<model::ChainVariable> variables,
+                           const Eigen::VectorXd& numbers) {
+  std::erase_if(variables, [](const auto& v) { return v.kind == model::ChainKind::point; });
+  std::size_t width = 4;
+  for (const auto& variable : variables) width = std::max(width, variable.name.size());
+  std::string text = fmt::format("{:<{}}  {:>12}  {:>8}  {:>8}  {:>7}  {}\n", "free", width,
+                                 "value", "lower", "upper", "numbers", "control points");
+  for (const auto& variable : variables) {
+    text += fmt::format("{:<{}}  {:>12.6g}  {:>8.3g}  {:>8.3g}  {:>7}  {}\n", variable.name, width,
+                        numbers[variable.members.front()], variable.lower, variable.upper,
+                        variable.members.size(),
+                        variable.points_stay ? "may stay" : "are computed again");
+  }
+  return text;
 }
 
 }  // namespace
@@ -56,28 +74,20 @@ std::string chain_joins_text(const model::CurveChain& chain) {
 }
 
 std::string chain_variables_text(const model::PatchChain& chain) {
-  const model::ChainLayout layout(chain);
-  const Eigen::VectorXd numbers = model::to_numbers(chain, layout);
-  std::vector<model::ChainVariable> variables = model::chain_variables(chain);
-  std::erase_if(variables, [](const auto& v) { return v.kind == model::ChainKind::point; });
-  std::size_t width = 4;
-  for (const auto& variable : variables) width = std::max(width, variable.name.size());
-  std::string text = fmt::format("{:<{}}  {:>12}  {:>8}  {:>8}  {:>7}  {}\n", "free", width,
-                                 "value", "lower", "upper", "numbers", "control points");
-  for (const auto& variable : variables) {
-    text += fmt::format("{:<{}}  {:>12.6g}  {:>8.3g}  {:>8.3g}  {:>7}  {}\n", variable.name, width,
-                        numbers[variable.members.front()], variable.lower, variable.upper,
-                        variable.members.size(),
-                        variable.points_stay ? "may stay" : "are computed again");
-  }
-  return text;
+  return variables_text(model::chain_variables(chain),
+                        model::to_numbers(chain, model::ChainLayout(chain)));
 }
 
-std::string fair_chain_text(const optimize::FairChainResult& result) {
-  return fmt::format(
-      "{}\nbending {:.6g} before, {:.6g} after; {} variables, {} evaluations, {:.2f} s\n",
-      optimize::status_words(result.status), result.start_bending, result.end_bending,
-      result.variables.size(), result.evaluations, result.seconds);
+std::string chain_variables_text(const model::CurveChain& chain) {
+  return variables_text(model::chain_variables(chain),
+                        model::to_numbers(chain, model::CurveChainLayout(chain)));
+}
+
+std::string chain_tuning_text(const optimize::ChainTuning& tuning, const std::string& measure) {
+  return fmt::format("{}\n{} {:.6g} before, {:.6g} after; {} variables, {} evaluations, {:.2f} s\n",
+                     optimize::status_words(tuning.status), measure, tuning.start_measure,
+                     tuning.end_measure, tuning.variables.size(), tuning.evaluations,
+                     tuning.seconds);
 }
 
 }  // namespace bodyline::cli

@@ -4,7 +4,7 @@
 
 #include "model/curve_chain.hpp"
 #include "model/patch_chain.hpp"
-#include "optimize/fair_chain.hpp"
+#include "optimize/chain_tuning.hpp"
 
 namespace bodyline::cli {
 
@@ -16,7 +16,9 @@ std::string chain_joins_text(const model::CurveChain& chain);
 /// ranges, and whether all control points may stay.
 std::string chain_variables_text(const model::PatchChain& chain);
 
-/// What tuning did.
-std::string fair_chain_text(const optimize::FairChainResult& result);
+std::string chain_variables_text(const model::CurveChain& chain);
+
+/// What tuning did to a measure, as "bending".
+std::string chain_tuning_text(const optimize::ChainTuning& tuning, const std::string& measure);
 
 }  // namespace bodyline::cli

@@ -41,7 +41,8 @@ void write_map(Context& context, const Request& request, const io::FitReport& re
 }
 
 void run(Context& context, Request& request) {
-  check_report(request.report, request.output.overwrite, request.model);
+  check_report(request.report, request.output.overwrite, request.model,
+               !request.output.path.empty());
   if (!request.output.path.empty()) check_output(request.output, request.model, {".png"});
   picture_options(request.picture);  // a bad view is told before any work is done
   const model::Model model = load_model(context, request.model);
@@ -57,14 +58,14 @@ void run(Context& context, Request& request) {
   if (request.json) {
     print_json(context, {{"scan", placed.words},
                          {"pose", pose_json(placed.pose)},
+                         {"alignment", alignment_json(placed)},
                          {"distance_mm", distances_json(deviation.distances)},
                          {"unseen_patches", deviation.unseen_patches},
                          {"faces", faces_json(deviation)}});
     return;
   }
   *context.out << placed.words << "\n\n" << deviation_table(deviation);
-  if (!deviation.unseen_patches.empty())
-    *context.out << fmt::format("Hardly seen: {}\n", fmt::join(deviation.unseen_patches, ", "));
+  *context.out << unseen_words(deviation);
   if (!request.output.path.empty()) *context.out << "map: " << request.output.path << "\n";
   if (request.report.wanted()) *context.out << "report: " << request.report.output.path << "\n";
 }
@@ -78,6 +79,7 @@ void add_deviation_command(CLI::App& program, Context& context) {
                   "bodyline deviation fitted.toml scan.ply");
   add_model(*command, request->model);
   add_scan_target(*command, request->target);
+  request->target.reference = "the model";
   add_stage(*command, request->stage);
   add_output(*command, request->output, "Picture of the distances, .png; none when left out")
       ->required(false);

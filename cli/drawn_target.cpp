@@ -11,6 +11,7 @@
 #include "io/place_drawings.hpp"
 #include "io/read_drawing.hpp"
 #include "io/read_polylines.hpp"
+#include "optimize/drawn_directions.hpp"
 #include "optimize/fit_car.hpp"
 #include "optimize/outline_shift.hpp"
 #include "optimize/stretch_model.hpp"
@@ -65,6 +66,13 @@ io::PlacedViews place_views(const std::string& text, const std::vector<io::ViewF
     drawings.push_back({file.view, io::read_drawing(file.path), file.nose, file.scale, {}});
   try {
     return io::place_drawings(drawings, options);
+  } catch (const io::NoScale& error) {
+    const bool seen_along = error.view() != model::View::side && error.view() != model::View::top;
+    throw io::InputError(
+        text, 0, "",
+        fmt::format("{}: {}=FILE@1 where a unit of the drawing is 1 mm of the car, or --dimension "
+                    "{}=MM",
+                    error.what(), model::view_name(error.view()), seen_along ? "width" : "length"));
   } catch (const std::invalid_argument& error) {
     throw io::InputError(text, 0, "", error.what());
   }
@@ -87,6 +95,21 @@ bool all_closed(const std::vector<model::PlacedDrawing>& drawings) {
     return std::any_of(drawing.paths.begin(), drawing.paths.end(),
                        [](const model::DrawnPath& path) { return path.closed; });
   });
+}
+
+// Which views seem to have nose and tail exchanged.
+std::string nose_words(const model::Model& start, const io::PlacedViews& placed) {
+  const auto found = optimize::drawn_directions(start, placed.drawings);
+  std::string words;
+  for (const model::View view : found.reversed) {
+    words += fmt::format(
+        "\nTHE VIEW {0} LOOKS AS IF ITS NOSE POINTED THE OTHER WAY{1}: where the drawing has it on "
+        "the right, write {0}=FILE:nose-right.",
+        model::view_name(view),
+        found.as_said.empty() ? ""
+                              : ", unlike the view " + model::view_name(found.as_said.front()));
+  }
+  return words;
 }
 
 std::string size_words(const std::vector<io::ViewFile>& files, const Eigen::Vector3d& size) {
@@ -168,6 +191,7 @@ DrawnTarget place_drawn(Context& context, const DrawnRequest& request,
       target.start = optimize::stretched(start, options.body, placed.size);
     target.words = size_words(files, placed.size);
     for (const std::string& note : placed.notes) target.words += "\n" + note;
+    if (!scan && all_closed(placed.drawings)) target.words += nose_words(target.start, placed);
   }
   if (scan && !files.empty()) move_to_scan(context, *scan, start, placed);
   target.outlines = placed.drawings;

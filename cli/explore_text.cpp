@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <thread>
+
+#include "explore/thread_count.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -46,12 +47,8 @@ std::string status_text(const RunProgress& run) {
   return text;
 }
 
-int thread_count(int threads) {
-  return threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
-}
-
 double seconds_for_all(const explore::StudyEstimate& estimate, int threads) {
-  return double(estimate.variants) * estimate.seconds_per_variant / thread_count(threads);
+  return double(estimate.variants) * estimate.seconds_per_variant / explore::thread_count(threads);
 }
 
 }  // namespace
@@ -110,7 +107,7 @@ std::string estimate_text(const explore::VariantPlan& plan, const explore::Study
       "{}: {} variants of {} variables, {} metrics\n"
       "about {} on {} threads ({:.3g} us each), {} on the disk\n\n{:<12}",
       study.name, estimate.variants, plan.space.column_count(), study.metrics.size(),
-      duration_text(seconds_for_all(estimate, threads)), thread_count(threads),
+      duration_text(seconds_for_all(estimate, threads)), explore::thread_count(threads),
       1e6 * estimate.seconds_per_variant,
       size_text(estimate.bytes_per_variant * double(estimate.variants)), "tried");
   for (const explore::MetricSpec& metric : study.metrics)

@@ -11,6 +11,7 @@
 #include "cli/fit_report.hpp"
 #include "cli/fit_text.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/interrupt_words.hpp"
 #include "cli/load_model.hpp"
 #include "cli/number_check.hpp"
 #include "cli/output.hpp"
@@ -56,13 +57,12 @@ void check_request(Request& request) {
 
 optimize::FitCar car_of(const FittedCar& given) {
   optimize::FitCar car{{}, given.drawn.outlines, given.drawn.features, given.bounds};
-  if (given.scan) car.scan = {given.scan->scan, given.scan->pose};
+  if (given.scan) car.scan = {given.scan->fitted, given.scan->pose};
   return car;
 }
 
-optimize::FitResult fit(Context& context, const optimize::FitCar& car, const model::Model& start,
-                        optimize::FitOptions options) {
-  const Interrupt interrupt;
+optimize::FitResult fit(Context& context, const Interrupt& interrupt, const optimize::FitCar& car,
+                        const model::Model& start, optimize::FitOptions options) {
   Progress progress(context, "fitting");
   options.should_stop = [&] { return interrupt.requested(); };
   options.on_progress = [&](const optimize::FitProgress& step) {
@@ -81,21 +81,24 @@ void print_result(Context& context, const Request& request, const FittedCar& car
   const bool failed = car.result.status == optimize::Status::failed;
   *context.out << fit_text(car) << (failed ? "model as far as it came: " : "fitted model: ")
                << request.output.path << "\n";
-  if (request.report.wanted()) *context.out << "report: " << request.report.output.path << "\n";
 }
 
-void run(Context& context, Request& request) {
-  const auto begin = std::chrono::steady_clock::now();
-  check_request(request);
-  request.options.algorithm = optimize::algorithm_from_name(request.algorithm);
-  const model::Model start = request.start.empty()
-                                 ? io::read_model_text(template_text(), "the template")
-                                 : load_model(context, request.start);
-  FittedCar car;
+// Reads and places what is fitted to. Returns the model that the fit starts from.
+model::Model read_car(Context& context, const Request& request, FittedCar& car) {
+  const InterruptWords words(
+      context, "stopped while reading and placing what is to be fitted; nothing was written.");
+  model::Model start = request.start.empty() ? io::read_model_text(template_text(), "the template")
+                                             : load_model(context, request.start);
   car.bounds = read_bounds(request.bounds, start);
   if (!request.scan.path.empty()) car.scan = place_scan(context, request.scan, start);
   car.drawn = place_drawn(context, request.drawn, car.bounds, start, car.scan);
-  car.result = fit(context, car_of(car), car.drawn.start, request.options);
+  return start;
+}
+
+// From here on the model is on the disk whatever happens, and is measured at any rate.
+void fit_and_measure(Context& context, const Request& request, FittedCar& car) {
+  const Interrupt interrupt;
+  car.result = fit(context, interrupt, car_of(car), car.drawn.start, request.options);
   car.result.model.name = std::filesystem::path(request.output.path).stem().string();
   io::write_model(car.result.model, request.output.path,
                   request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
@@ -104,16 +107,35 @@ void run(Context& context, Request& request) {
   if (car.scan) {
     car.deviation =
         optimize::measure_deviation(car.result.model, car.scan->scan, car.scan->pose, measuring);
+    car.arches = optimize::arch_gaps(car.result.model, *car.deviation);
   }
   car.kept = measure_drawn(car.drawn, car.result.model);
   car.bounds_kept = optimize::measure_bounds(car.result.model, car.bounds);
+}
+
+void make_report(Context& context, const Request& request, const FittedCar& car,
+                 const model::Model& start) {
+  const InterruptWords words(
+      context, fmt::format("stopped while making the page {}, which was not written; the model {} "
+                           "is complete.",
+                           request.report.output.path, request.output.path));
+  context.out->flush();
+  io::FitReport report = fit_report(car, start, request.report);
+  write_report(context, report, request.report);
+  if (!request.json) *context.out << "report: " << request.report.output.path << "\n";
+}
+
+void run(Context& context, Request& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  check_request(request);
+  request.options.algorithm = optimize::algorithm_from_name(request.algorithm);
+  FittedCar car;
+  const model::Model start = read_car(context, request, car);
+  fit_and_measure(context, request, car);
   car.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (request.report.wanted()) {
-    io::FitReport report = fit_report(car, start, request.report);
-    write_report(context, report, request.report);
-  }
   print_result(context, request, car);
   if (has_findings(car)) context.exit_code = exit_findings;
+  if (request.report.wanted()) make_report(context, request, car, start);
 }
 
 void add_weights(CLI::App& command, optimize::FitOptions& options) {

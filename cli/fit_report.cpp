@@ -18,14 +18,14 @@ io::FitReport deviation_report(const model::Model& model, model::Stage stage,
   io::FitReport report;
   report.title = model.name.empty() ? "Body and scan" : model.name;
   report.words = placed.words;
+  if (!placed.alignment.warning.empty()) report.warnings.push_back(placed.alignment.warning);
   report.body = model;
   report.stage = stage;
   report.pose = placed.pose;
   report.field = deviation_field(model, stage, deviation, request.range);
   report.distances = report_distances(deviation.distances);
   for (const optimize::FaceDeviation& face : deviation.faces) {
-    report.faces.push_back(
-        {face.name, face.points, face.seen, face.mean, report_distances(face.distances)});
+    report.faces.push_back({face.name, face.points, face.seen, report_distances(face.distances)});
   }
   report.unseen_patches = deviation.unseen_patches;
   for (std::size_t k = 0; k < deviation.matches.size(); ++k) {
@@ -41,6 +41,7 @@ io::FitReport fit_report(const FittedCar& car, const model::Model& start,
   if (car.deviation) {
     report =
         deviation_report(car.result.model, model::Stage::body, *car.scan, *car.deviation, request);
+    for (const std::string& words : arch_warnings(car.arches)) report.warnings.push_back(words);
   } else {
     report.title = car.result.model.name;
     report.body = car.result.model;

@@ -1,12 +1,25 @@
 #include "cli/fit_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include <cmath>
 
 #include "cli/deviation_text.hpp"
 
 namespace bodyline::cli {
 namespace {
+
+// Less is the scatter of a scan's points and of rims.
+constexpr double worth_a_warning = 10.0;  // mm
+
+nlohmann::ordered_json arches_json(const std::vector<optimize::ArchGap>& arches) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const optimize::ArchGap& arch : arches) {
+    rows.push_back(
+        {{"arch", arch.front ? "front" : "rear"}, {"part", arch.part}, {"gap_mm", arch.gap}});
+  }
+  return rows;
+}
 
 nlohmann::ordered_json rounds_json(const optimize::FitResult& result) {
   nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
@@ -25,13 +38,26 @@ bool has_findings(const FittedCar& car) {
          !car.result.folded_faces.empty();
 }
 
+std::vector<std::string> arch_warnings(const std::vector<optimize::ArchGap>& arches) {
+  std::vector<std::string> words;
+  for (const optimize::ArchGap& arch : arches) {
+    if (std::abs(arch.gap) <= worth_a_warning) continue;
+    words.push_back(fmt::format("wheel arch {}, {}: rim {:.0f} mm {}",
+                                arch.front ? "front" : "rear", arch.part, std::abs(arch.gap),
+                                arch.gap > 0.0 ? "short of the scan" : "beyond the scan"));
+  }
+  return words;
+}
+
 nlohmann::ordered_json fit_json(const FittedCar& car) {
   nlohmann::ordered_json json{{"status", optimize::status_words(car.result.status)}};
   if (car.deviation) {
     json["scan"] = car.scan->words;
     json["pose"] = pose_json(car.scan->pose);
+    json["alignment"] = alignment_json(*car.scan);
     json["distance_mm"] = distances_json(car.deviation->distances);
     json["unseen_patches"] = car.deviation->unseen_patches;
+    json["wheel_arches"] = arches_json(car.arches);
   }
   if (!car.drawn.words.empty()) json["drawings"] = car.drawn.words;
   json["outline_mm"] = outlines_json(car.kept);
@@ -52,11 +78,11 @@ std::string fit_text(const FittedCar& car) {
   text += optimize::status_words(car.result.status) + "\n\n";
   if (car.deviation) {
     text += deviation_table(*car.deviation);
-    if (!car.deviation->unseen_patches.empty()) {
-      text += fmt::format("Hardly seen by the scan, held by fairness alone: {}\n",
-                          fmt::join(car.deviation->unseen_patches, ", "));
-    }
+    const bool whole = car.scan->alignment.missing_end == optimize::MissingEnd::none;
+    text += unseen_words(*car.deviation, whole ? ", held by fairness alone"
+                                               : ", held by fairness and the start model");
   }
+  for (const std::string& words : arch_warnings(car.arches)) text += words + "\n";
   text += drawn_text(car.kept);
   text += bounds_text(car.bounds, car.bounds_kept);
   for (const std::string& face : car.result.folded_faces) text += "still folded: " + face + "\n";

@@ -1,5 +1,7 @@
 #include "cli/report_options.hpp"
 
+#include <stdexcept>
+
 #include "cli/number_check.hpp"
 
 namespace bodyline::cli {
@@ -23,8 +25,15 @@ void add_report_options(CLI::App& command, ReportRequest& request) {
       ->check(positive_number());
 }
 
-void check_report(ReportRequest& request, bool overwrite, const std::string& input) {
+void check_report(ReportRequest& request, bool overwrite, const std::string& input,
+                  bool has_picture) {
   section_planes(request);
+  if (!request.wanted() && !request.sections.empty())
+    throw std::invalid_argument("--section chooses what the page shows; give --report FILE.html");
+  if (!request.wanted() && !has_picture && request.range)
+    throw std::invalid_argument(
+        "--range is of the colours of the page or the picture; give --report FILE.html, or with "
+        "deviation -o FILE.png");
   if (!request.wanted()) return;
   request.output.overwrite = overwrite;
   check_output(request.output, input, {".html"});

@@ -22,9 +22,11 @@ struct ReportRequest {
 /// Adds --report, --section and --range.
 void add_report_options(CLI::App& command, ReportRequest& request);
 
-/// Looks before any work is done whether the page can be written and its planes can be understood.
-/// `overwrite` and `input` as for check_output. Throws std::invalid_argument.
-void check_report(ReportRequest& request, bool overwrite, const std::string& input);
+/// Looks before any work is done whether the page can be written, its planes can be understood, and
+/// there is a page, or for the range a picture, that they are for. `overwrite` and `input` as for
+/// check_output. Throws std::invalid_argument.
+void check_report(ReportRequest& request, bool overwrite, const std::string& input,
+                  bool has_picture = false);
 
 /// The planes asked for.
 std::vector<io::SectionPlane> section_planes(const ReportRequest& request);

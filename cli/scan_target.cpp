@@ -53,6 +53,7 @@ PlacedScan place_scan(Context& context, const ScanTarget& target, const model::M
   placed.words += ".";
   optimize::AlignOptions options;
   options.unit_mm = target.unit_mm;
+  options.reference = target.reference;
   if (target.pose == "none") {
     options.pose = model::Pose{};
   } else if (!target.pose.empty()) {
@@ -63,7 +64,17 @@ PlacedScan place_scan(Context& context, const ScanTarget& target, const model::M
     const optimize::AlignResult aligned = optimize::align_scan(file.scan, model, options);
     placed.words += "\n" + aligned.words;
     placed.pose = aligned.pose;
+    placed.alignment = aligned;
+    placed.pose_given = options.pose.has_value();
+    placed.unit_given = placed.pose_given || target.unit_mm > 0.0;
+    if (!placed.pose_given) placed.words += "\n" + moved_frame_words(placed.pose);
     placed.scan = optimize::oriented_scan(file.scan, aligned.pose, model, target.most_points);
+    placed.fitted = placed.scan;
+    const model::Scan& beyond = aligned.beyond_end;
+    placed.fitted.points.insert(placed.fitted.points.end(), beyond.points.begin(),
+                                beyond.points.end());
+    placed.fitted.normals.insert(placed.fitted.normals.end(), beyond.normals.begin(),
+                                 beyond.normals.end());
   } catch (const std::invalid_argument& error) {
     throw io::InputError(target.path, 0, "",
                          error.what() + std::string("; --unit and --pose say how it lies."));

@@ -19,6 +19,7 @@
 #include "io/write_svg_drawing.hpp"
 #include "model/suggest.hpp"
 #include "sketch/curve_degrees.hpp"
+#include "sketch/drawn_degrees.hpp"
 #include "sketch/template_drawing.hpp"
 
 namespace bodyline::cli {
@@ -117,11 +118,15 @@ void warn_of_names(Context& context, const sketch::SketchResult& result) {
 void build_model(Context& context, const Request& request) {
   check_output(request.output, request.views, {".toml"});
   const io::ViewsFile file = io::read_views(request.views);
-  const model::Model start =
-      sketch::with_degrees(start_of(context, request, file), curve_degrees(request, file));
+  const model::Model found = start_of(context, request, file);
+  sketch::CurveDegrees degrees = curve_degrees(request, file);
+  model::Model start = sketch::with_degrees(found, degrees);
   const sketch::SketchOptions options = sketch_options(request, file, start);
-  const io::PlacedViews placed =
+  io::PlacedViews placed =
       io::place_drawings(file.views, {file.length, file.width, file.height, box_of(start)});
+  degrees =
+      sketch::with_drawn_degrees(found, degrees, sketch::take_degrees(found, placed.drawings));
+  start = sketch::with_degrees(found, degrees);
   for (const std::string& note : placed.notes) warn(context, note);
   sketch::SketchResult result;
   {

@@ -1,7 +1,6 @@
 #include "cli/space_pareto.hpp"
 
 #include <fmt/format.h>
-
 #include <fmt/ranges.h>
 
 #include <limits>
@@ -12,42 +11,22 @@
 #include "cli/print_json.hpp"
 #include "cli/space_rows.hpp"
 #include "explore/hypervolume.hpp"
-#include "explore/pareto.hpp"
+#include "explore/pareto_rows.hpp"
 
 namespace bodyline::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The columns of objectives, and 1 where they should be small, -1 where large.
-struct SignedColumns {
-  std::vector<explore::StoreColumn> columns;
-  std::vector<double> signs;
-};
-
-SignedColumns signed_columns(const explore::StoreReader& store, const Objectives& objectives) {
-  SignedColumns found;
-  for (const std::string& name : objectives.minimize) {
-    found.columns.push_back(explore::store_column(store, name));
-    found.signs.push_back(1.0);
-  }
-  for (const std::string& name : objectives.maximize) {
-    found.columns.push_back(explore::store_column(store, name));
-    found.signs.push_back(-1.0);
-  }
-  return found;
-}
-
 // Of each variant, all to be small.
 std::vector<double> objective_values(const explore::StoreReader& store,
                                      const std::vector<std::uint64_t>& ids,
-                                     const Objectives& objectives) {
-  const auto [columns, signs] = signed_columns(store, objectives);
+                                     const std::vector<explore::StoreObjective>& objectives) {
   std::vector<double> values;
   for (const std::uint64_t id : ids) {
     const explore::VariantRows rows = store.read(id, 1);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      values.push_back(signs[k] * columns[k].of(rows, 0));
+    for (const explore::StoreObjective& objective : objectives)
+      values.push_back(objective.cost(rows, 0));
   }
   return values;
 }
@@ -87,7 +66,9 @@ void run(Context& context, Request& request, const std::string& path) {
   const explore::StoreReader store(path);
   take_goals(store, request.objectives);
   const std::vector<std::uint64_t> ids = pareto_ids(store, request.choice, request.objectives);
-  const std::vector<double> values = objective_values(store, ids, request.objectives);
+  const std::vector<double> values = objective_values(
+      store, ids,
+      store_objectives(store, request.objectives.minimize, request.objectives.maximize));
   const std::size_t least = request.objectives.minimize.size(),
                     count = least + request.objectives.maximize.size();
   std::vector<double> reference = reference_of(request, values, count);
@@ -133,21 +114,9 @@ void take_goals(const explore::StoreReader& store, Objectives& objectives) {
 std::vector<std::uint64_t> pareto_ids(const explore::StoreReader& store, VariantChoice choice,
                                       const Objectives& objectives) {
   if (choice.status.empty()) choice.status = {"valid"};
-  const auto [columns, signs] = signed_columns(store, objectives);
-  if (columns.size() < 2)
-    throw std::invalid_argument("give two objectives or more with --minimize and --maximize");
-  std::vector<std::uint64_t> ids;
-  std::vector<double> values;
-  const explore::VariantFilter filter(store, choice.where, choice.status);
-  explore::for_each_variant(store, filter, [&](const explore::VariantRows& rows, int row) {
-    ids.push_back(rows.first + std::uint64_t(row));
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      values.push_back(signs[k] * columns[k].of(rows, row));
-  });
-  std::vector<std::uint64_t> front;
-  for (const std::size_t k : explore::pareto_set(values, int(columns.size())))
-    front.push_back(ids[k]);
-  return front;
+  return explore::pareto_ids(
+      store, explore::VariantFilter(store, choice.where, choice.status),
+      explore::store_objectives(store, objectives.minimize, objectives.maximize));
 }
 
 void add_space_pareto(CLI::App& space, Context& context, const StorePath& store) {

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
 
 #include "cli/output.hpp"
 #include "cli/space_views.hpp"
 #include "explore/variant_table.hpp"
+#include "io/file_stream.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -16,30 +15,6 @@ struct Request {
   Output output;
 };
 
-// A file that gets its name when it is complete; it may be larger than the memory.
-class GrowingFile {
- public:
-  explicit GrowingFile(const std::filesystem::path& path)
-      : path_(path), temporary_(path.string() + ".part"), stream_(temporary_) {}
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
-  ~GrowingFile() {
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
-  }
-
-  std::ostream& stream() { return stream_; }
-  void finish() {
-    stream_.close();
-    if (!stream_) throw std::runtime_error(path_.string() + ": cannot be written.");
-    std::filesystem::rename(temporary_, path_);
-  }
-
- private:
-  std::filesystem::path path_, temporary_;
-  std::ofstream stream_;
-};
-
 void run(Context& context, const Request& request, const std::string& path) {
   check_output(request.output, path, {".csv"});
   const explore::StoreReader store(path);
@@ -47,7 +22,8 @@ void run(Context& context, const Request& request, const std::string& path) {
   std::filesystem::path images = request.output.path;
   images.replace_extension();
   images += "_images";
-  GrowingFile table(request.output.path);
+  io::FileStream table(request.output.path,
+                       request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
   const std::uint64_t count = explore::write_variant_table(store, filter, table.stream(), images);
   table.finish();
   *context.out << fmt::format("{} variants: {}\n", count, request.output.path);

@@ -50,6 +50,9 @@ chain() { "$bodyline" --quiet chain "$@" --overwrite --size "$size" >/dev/null; 
 chain "$examples/headlight.toml" -o "$out/headlight.svg" --view front
 sed 's/^shape = .*/shape = [8, 0.5, 8]/' "$examples/headlight.toml" >"$work/headlight.toml"
 chain "$work/headlight.toml" -o "$out/headlight-tense.svg" --view front
+# The same outline with curvature combs, as drawn and tuned.
+chain "$examples/headlight.toml" -o "$out/headlight-comb.svg" --view front --comb 10
+chain "$examples/headlight.toml" --fair --vary '*' --hold 'point.*.x' -o "$out/headlight-fair.svg" --view front --comb 10
 chain "$examples/hull.toml" -o "$out/hull.png" --view 60,10 --map zebra
 
 # Figure 5 of Hu et al.: two patches joined with equal curvature, and the same with another lambda.

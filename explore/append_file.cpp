@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,13 +37,44 @@ void lock(int descriptor, const std::filesystem::path& path) {
   throw StoreError(path, "is being written by another program; two at once are not possible.");
 }
 
+// Whether a path still leads to an open file, not to one that has taken its name since.
+bool is_at(int descriptor, const std::filesystem::path& path) {
+  struct stat open {
+  }, named{};
+  return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+}
+
 }  // namespace
+
+ReplaceLock::ReplaceLock(const std::filesystem::path& path) {
+  do {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    exists_ = descriptor_ >= 0 || errno != ENOENT;
+    if (descriptor_ < 0) return;  // nobody can write what nobody can open
+    try {
+      lock(descriptor_, path);
+    } catch (...) {
+      ::close(descriptor_);
+      throw;
+    }
+    // The writer that had it until now may just have replaced it.
+  } while (!is_at(descriptor_, path));
+}
+
+ReplaceLock::~ReplaceLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 AppendFile::AppendFile(const std::filesystem::path& path) : path_(path) {
   descriptor_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (descriptor_ < 0) fail("cannot be opened for writing", errno);
   try {
     lock(descriptor_, path_);
+    if (!is_at(descriptor_, path_))
+      throw StoreError(path_,
+                       "has just been replaced by another program; two at once are not possible.");
     end_ = rounded_up(read_number(end_place));
   } catch (...) {
     ::close(descriptor_);
@@ -51,18 +83,6 @@ AppendFile::AppendFile(const std::filesystem::path& path) : path_(path) {
 }
 
 AppendFile::~AppendFile() { ::close(descriptor_); }
-
-void AppendFile::refuse_written(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor < 0) return;
-  try {
-    lock(descriptor, path);
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
-  ::close(descriptor);
-}
 
 void AppendFile::fail(const char* what, int error) const {
   throw StoreError(path_, std::string(what) + ": " + std::generic_category().message(error) + ".");

@@ -19,9 +19,6 @@ class AppendFile {
   AppendFile& operator=(const AppendFile&) = delete;
   ~AppendFile();
 
-  /// Throws when a writer has the file at `path`, if there is one.
-  static void refuse_written(const std::filesystem::path& path);
-
   const std::filesystem::path& path() const { return path_; }
 
   /// Drops what lies behind the end that the superblock knows, and goes on there.
@@ -48,6 +45,23 @@ class AppendFile {
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uint64_t end_ = 0;
+};
+
+/// Keeps other writers away from the file at a path, and from replacing it, as long as this lives.
+class ReplaceLock {
+ public:
+  /// Throws StoreError when a writer has the file at `path`, or another one is replacing it.
+  explicit ReplaceLock(const std::filesystem::path& path);
+  ReplaceLock(const ReplaceLock&) = delete;
+  ReplaceLock& operator=(const ReplaceLock&) = delete;
+  ~ReplaceLock();
+
+  /// Whether there is a file at the path.
+  bool exists() const { return exists_; }
+
+ private:
+  int descriptor_ = -1;
+  bool exists_ = false;
 };
 
 }  // namespace bodyline::explore

@@ -53,9 +53,9 @@ Json faces_json(const StoreReader& store) {
   return faces;
 }
 
-Json objectives_json(const StoreReader& store, const std::vector<BrowseObjective>& objectives) {
+Json objectives_json(const StoreReader& store, const std::vector<StoreObjective>& objectives) {
   Json list = Json::array();
-  for (const BrowseObjective& objective : objectives) {
+  for (const StoreObjective& objective : objectives) {
     const int first = objective.column.is_metric ? store.space().column_count() : 0;
     list.push_back({{"column", first + objective.column.index}, {"minimize", objective.minimize}});
   }
@@ -80,7 +80,7 @@ std::string within_script(const std::string& json) {
 }  // namespace
 
 std::string browse_description(const StoreReader& store,
-                               const std::vector<BrowseObjective>& objectives,
+                               const std::vector<StoreObjective>& objectives,
                                const BrowseRows& rows, const BrowseBodies& bodies) {
   const Study& study = store.study();
   Json statuses = Json::array();

@@ -70,7 +70,7 @@ std::string pictures(const StoreReader& store, const BrowseRows& shown,
 std::string browse_page(const StoreReader& store, const BrowseOptions& options,
                         BrowseSummary& summary) {
   if (store.rows() == 0) throw StoreError(store.path(), "holds no variants yet.");
-  const std::vector<BrowseObjective> objectives =
+  const std::vector<StoreObjective> objectives =
       browse_objectives(store, options.minimize, options.maximize);
   const BrowseRows rows = browse_rows(store, objectives, options.limit);
   const bool has_pictures = store.study().keep.thumbnail_width > 0;

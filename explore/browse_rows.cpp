@@ -1,9 +1,6 @@
 #include "explore/browse_rows.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-
-#include "explore/pareto.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -35,69 +32,15 @@ bool should_be_small(MetricKind kind) {
   return false;
 }
 
-std::vector<BrowseObjective> usual_objectives(const Study& study) {
+std::vector<StoreObjective> usual_objectives(const Study& study) {
   constexpr std::size_t usual = 2;
-  std::vector<BrowseObjective> objectives;
+  std::vector<StoreObjective> objectives;
   for (const bool cost : {true, false}) {
     for (int k = 0; k < int(study.metrics.size()) && objectives.size() < usual; ++k) {
       if (should_be_small(study.metrics[k].kind) == cost) objectives.push_back({{true, k}, true});
     }
   }
   return objectives;
-}
-
-// Variants with their objectives, all to be small; those that others are better than are dropped
-// from time to time, so that memory follows the front.
-class Front {
- public:
-  explicit Front(std::size_t objectives) : objectives_(objectives) {}
-
-  void add(std::uint64_t id, const std::vector<double>& costs) {
-    ids_.push_back(id);
-    costs_.insert(costs_.end(), costs.begin(), costs.end());
-    if (ids_.size() < most_) return;
-    reduce();
-    most_ = std::max(least_most, 2 * ids_.size());
-  }
-
-  std::vector<std::uint64_t> ids() {
-    reduce();
-    return ids_;
-  }
-
- private:
-  static constexpr std::size_t least_most = std::size_t(1) << 16;
-
-  void reduce() {
-    const std::vector<std::size_t> front = pareto_set(costs_, int(objectives_));
-    for (std::size_t k = 0; k < front.size(); ++k) {
-      ids_[k] = ids_[front[k]];
-      std::copy_n(costs_.begin() + front[k] * objectives_, objectives_,
-                  costs_.begin() + k * objectives_);
-    }
-    ids_.resize(front.size());
-    costs_.resize(front.size() * objectives_);
-  }
-
-  std::size_t objectives_, most_ = least_most;
-  std::vector<std::uint64_t> ids_;
-  std::vector<double> costs_;
-};
-
-std::vector<std::uint64_t> pareto_ids(const StoreReader& store,
-                                      const std::vector<BrowseObjective>& objectives) {
-  if (objectives.size() < 2) return {};
-  Front front(objectives.size());
-  std::vector<double> costs(objectives.size());
-  for_each_variant(store, VariantFilter(store, {}, {status_name(VariantStatus::valid)}),
-                   [&](const VariantRows& rows, int row) {
-                     for (std::size_t k = 0; k < costs.size(); ++k) {
-                       const double value = objectives[k].column.of(rows, row);
-                       costs[k] = objectives[k].minimize ? value : -value;
-                     }
-                     front.add(rows.first + std::uint64_t(row), costs);
-                   });
-  return front.ids();
 }
 
 // `kept` (rising) and as many other rows as make up `limit`: of the others, in their order, the
@@ -131,21 +74,19 @@ void append_row(BrowseRows& shown, const VariantRows& rows, int row) {
 
 }  // namespace
 
-std::vector<BrowseObjective> browse_objectives(const StoreReader& store,
-                                               const std::vector<std::string>& minimize,
-                                               const std::vector<std::string>& maximize) {
+std::vector<StoreObjective> browse_objectives(const StoreReader& store,
+                                              const std::vector<std::string>& minimize,
+                                              const std::vector<std::string>& maximize) {
   if (minimize.empty() && maximize.empty()) return usual_objectives(store.study());
-  std::vector<BrowseObjective> objectives;
-  for (const std::string& name : minimize) objectives.push_back({store_column(store, name), true});
-  for (const std::string& name : maximize) objectives.push_back({store_column(store, name), false});
-  if (objectives.size() < 2)
-    throw std::invalid_argument("give two objectives or more with --minimize and --maximize");
-  return objectives;
+  return store_objectives(store, minimize, maximize);
 }
 
-BrowseRows browse_rows(const StoreReader& store, const std::vector<BrowseObjective>& objectives,
+BrowseRows browse_rows(const StoreReader& store, const std::vector<StoreObjective>& objectives,
                        int limit) {
-  const std::vector<std::uint64_t> front = pareto_ids(store, objectives);
+  std::vector<std::uint64_t> front;
+  if (objectives.size() >= 2)
+    front = pareto_ids(store, VariantFilter(store, {}, {status_name(VariantStatus::valid)}),
+                       objectives);
   BrowseRows shown;
   shown.ids = sampled_ids(store.rows(), front, std::min(store.rows(), std::uint64_t(limit)));
   shown.columns.resize(std::size_t(store.space().column_count()) + store.study().metrics.size());

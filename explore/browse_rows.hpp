@@ -4,23 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "explore/pareto_rows.hpp"
 #include "explore/store_reader.hpp"
-#include "explore/variant_filter.hpp"
 
 namespace bodyline::explore {
-
-/// A column that should be small or large.
-struct BrowseObjective {
-  StoreColumn column;
-  bool minimize = true;
-};
 
 /// The objectives of these names. Without any, two metrics to be small, of which energies, errors
 /// and distances come first; fewer where the study has fewer. Throws std::invalid_argument for
 /// unknown names, and for one alone.
-std::vector<BrowseObjective> browse_objectives(const StoreReader& store,
-                                               const std::vector<std::string>& minimize,
-                                               const std::vector<std::string>& maximize);
+std::vector<StoreObjective> browse_objectives(const StoreReader& store,
+                                              const std::vector<std::string>& minimize,
+                                              const std::vector<std::string>& maximize);
 
 /// The rows of a store that a page shows, column by column.
 struct BrowseRows {
@@ -36,7 +30,7 @@ struct BrowseRows {
 /// All rows, or where there are more than `limit` the Pareto set of the valid ones, all of it, and
 /// as many others as make up `limit`, evenly spread over the rows. The Pareto set is empty for
 /// fewer than two objectives.
-BrowseRows browse_rows(const StoreReader& store, const std::vector<BrowseObjective>& objectives,
+BrowseRows browse_rows(const StoreReader& store, const std::vector<StoreObjective>& objectives,
                        int limit);
 
 }  // namespace bodyline::explore

@@ -1,7 +1,7 @@
 #include "explore/find_points.hpp"
+#include "explore/thread_count.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -104,9 +104,7 @@ struct PointFinder::State {
 };
 
 PointFinder::PointFinder(MakeFunctions make, int evaluations, const RunOptions& options)
-    : state_(new State{make, evaluations, options,
-                       tbb::task_arena(options.threads > 0 ? options.threads
-                                                           : int(tbb::info::default_concurrency())),
+    : state_(new State{make, evaluations, options, tbb::task_arena(thread_count(options.threads)),
                        tbb::enumerable_thread_specific<Functions>(make)}) {}
 PointFinder::~PointFinder() = default;
 

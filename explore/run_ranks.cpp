@@ -1,7 +1,5 @@
 #include "explore/run_ranks.hpp"
 
-#include <tbb/info.h>
-
 #include <algorithm>
 #include <chrono>
 #include <deque>
@@ -13,6 +11,7 @@
 #include "explore/rank_messages.hpp"
 #include "explore/row_crew.hpp"
 #include "explore/study_line.hpp"
+#include "explore/thread_count.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -148,7 +147,7 @@ RunProgress RankOwner::run(const std::shared_ptr<const VariantPlan>& plan,
                            const RunOptions& options) {
   shared_ = true;
   ranks_.broadcast(study_message(plan->study));
-  const int threads = options.threads > 0 ? options.threads : int(tbb::info::default_concurrency());
+  const int threads = thread_count(options.threads);
   const StoreLayout layout = store.layout();
   StudyLine line(plan, source, store, options);
   RowCrew crew(plan, source, layout, threads);

@@ -2,12 +2,12 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include "explore/measure_rows.hpp"
 #include "explore/study_line.hpp"
+#include "explore/thread_count.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -55,7 +55,7 @@ void count_rows(const VariantRows& rows, std::size_t metrics, RunProgress& progr
 
 RunProgress run_study(const std::shared_ptr<const VariantPlan>& plan, const VariantSource& source,
                       StoreWriter& store, const RunOptions& options) {
-  const int threads = options.threads > 0 ? options.threads : int(tbb::info::default_concurrency());
+  const int threads = thread_count(options.threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   std::size_t(threads));
   tbb::task_arena arena(threads);

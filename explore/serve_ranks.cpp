@@ -1,4 +1,3 @@
-#include <tbb/info.h>
 
 #include <chrono>
 #include <exception>
@@ -7,6 +6,7 @@
 #include "explore/rank_messages.hpp"
 #include "explore/row_crew.hpp"
 #include "explore/run_ranks.hpp"
+#include "explore/thread_count.hpp"
 #include "explore/tuned_source.hpp"
 
 namespace bodyline::explore {
@@ -58,9 +58,8 @@ void measure_for_owner(Ranks& ranks, const Bytes& study, int threads,
 void serve_ranks(Ranks& ranks, int threads, const std::function<bool()>& should_stop) {
   const Bytes study = ranks.broadcast({});
   if (study.empty()) return;
-  const int count = threads > 0 ? threads : int(tbb::info::default_concurrency());
   try {
-    measure_for_owner(ranks, study, count, should_stop);
+    measure_for_owner(ranks, study, thread_count(threads), should_stop);
   } catch (const std::exception& error) {
     say(ranks, {RankWord::failed, 0, 0, error.what()});
     wait_for_stop(ranks);

@@ -7,6 +7,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "explore/store_file.hpp"
@@ -183,10 +184,13 @@ StoreWriter StoreWriter::create(const fs::path& path, const Study& study, const 
                                 std::uint64_t planned, bool overwrite,
                                 const StoreOptions& options) {
   const std::vector<std::byte> image = empty_store(study, space, planned, options.merged);
+  // Of several that replace a store at once, one does, and it writes the store that it made: the
+  // others meet this lock, or that of the writer, or the new file where there was none.
+  std::optional<ReplaceLock> replaced;
+  if (overwrite) replaced.emplace(path);
   try {
-    if (overwrite) AppendFile::refuse_written(path);
     io::write_file(path, {reinterpret_cast<const char*>(image.data()), image.size()},
-                   overwrite ? io::Overwrite::allowed : io::Overwrite::never);
+                   replaced && replaced->exists() ? io::Overwrite::allowed : io::Overwrite::never);
   } catch (const io::InputError& error) {
     throw StoreError(path, error.sentence());
   }

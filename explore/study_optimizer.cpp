@@ -1,7 +1,9 @@
+#include <array>
 #include <set>
 #include <stdexcept>
 #include <string>
 
+#include "explore/kind_keys.hpp"
 #include "explore/optimizer_kind.hpp"
 #include "explore/study_tables.hpp"
 #include "io/model_file_lookup.hpp"
@@ -18,11 +20,7 @@ constexpr std::size_t most_objectives = 20;
 constexpr double largest_weight = 1e12;
 constexpr int local_evaluations = 200, front_evaluations = 25;
 
-struct OptimizerKeys {
-  std::set<std::string> needed, allowed;
-};
-
-OptimizerKeys keys_of(OptimizerKind kind) {
+KindKeys keys_of(OptimizerKind kind) {
   switch (kind) {
     case OptimizerKind::local:
       return {{"starts"}, {"weights", "algorithm", "evaluations"}};
@@ -35,18 +33,8 @@ OptimizerKeys keys_of(OptimizerKind kind) {
   return {};
 }
 
-void check_keys(const FileTable& table, OptimizerKind kind) {
-  const OptimizerKeys keys = keys_of(kind);
-  const std::string name = optimizer_name(kind);
-  for (const char* key : {"starts", "weights", "algorithm", "evaluations", "population",
-                          "generations", "seed", "points"}) {
-    const bool needed = keys.needed.count(key) > 0;
-    if (needed && !table.has(key))
-      table.fail(key, "is missing; the optimizer " + name + " needs it.");
-    if (!needed && keys.allowed.count(key) == 0 && table.has(key))
-      table.fail(key, "is nothing that the optimizer " + name + " has.");
-  }
-}
+constexpr std::array keys_of_optimizers{"starts",     "weights",     "algorithm", "evaluations",
+                                        "population", "generations", "seed",      "points"};
 
 void read_goals(const FileTable& table, const Study& study, OptimizerSpec& optimizer) {
   std::set<std::string> named;
@@ -111,7 +99,8 @@ void read_optimizer(const FileTable& table, Study& study) {
   } catch (const std::invalid_argument& error) {
     table.fail("kind", std::string(error.what()) + ".");
   }
-  check_keys(table, optimizer.kind);
+  check_kind_keys(table, keys_of(optimizer.kind), keys_of_optimizers,
+                  "optimizer " + optimizer_name(optimizer.kind));
   read_goals(table, study, optimizer);
   check_goal_count(table, optimizer);
   const auto whole = [&](const char* key, std::int64_t least, std::int64_t most,

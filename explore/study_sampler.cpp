@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <set>
+#include <array>
 #include <stdexcept>
 #include <string>
 
+#include "explore/kind_keys.hpp"
 #include "explore/sampler_kind.hpp"
 #include "explore/study_tables.hpp"
 
@@ -22,12 +23,7 @@ SamplerKind kind_of(const FileTable& table) {
   }
 }
 
-// The keys that a kind of sampler needs, and those that it may have.
-struct SamplerKeys {
-  std::set<std::string> needed, allowed;
-};
-
-SamplerKeys keys_of(SamplerKind kind) {
+KindKeys keys_of(SamplerKind kind) {
   switch (kind) {
     case SamplerKind::factorial:
     case SamplerKind::one_at_a_time:
@@ -51,18 +47,8 @@ SamplerKeys keys_of(SamplerKind kind) {
   return {};
 }
 
-void check_keys(const FileTable& table, SamplerKind kind) {
-  const SamplerKeys keys = keys_of(kind);
-  const std::string name = sampler_name(kind);
-  for (const char* key :
-       {"count", "seed", "levels", "trajectories", "scrambled", "second_order", "file"}) {
-    const bool needed = keys.needed.count(key) > 0;
-    if (needed && !table.has(key))
-      table.fail(key, "is missing; the sampler " + name + " needs it.");
-    if (!needed && keys.allowed.count(key) == 0 && table.has(key))
-      table.fail(key, "is nothing that the sampler " + name + " has.");
-  }
-}
+constexpr std::array keys_of_samplers{"count",     "seed",         "levels", "trajectories",
+                                      "scrambled", "second_order", "file"};
 
 }  // namespace
 
@@ -72,7 +58,8 @@ SamplerSpec read_sampler(const FileTable& table) {
       "a sampler");
   SamplerSpec sampler;
   sampler.kind = kind_of(table);
-  check_keys(table, sampler.kind);
+  check_kind_keys(table, keys_of(sampler.kind), keys_of_samplers,
+                  "sampler " + sampler_name(sampler.kind));
   const auto whole = [&](const char* key, std::int64_t least, std::int64_t most,
                          std::int64_t otherwise) {
     return table.has(key) ? table.whole(key, least, most) : otherwise;

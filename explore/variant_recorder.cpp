@@ -2,7 +2,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,6 +10,7 @@
 #include <cstring>
 
 #include "explore/measure_rows.hpp"
+#include "explore/thread_count.hpp"
 
 namespace bodyline::explore {
 namespace {
@@ -21,10 +21,6 @@ constexpr int task_rows = 4;  // measured by one thread at a time
 // Variants wait no longer to be written.
 constexpr std::chrono::seconds longest_wait{10};
 
-int thread_count(const RunOptions& options) {
-  return options.threads > 0 ? options.threads : int(tbb::info::default_concurrency());
-}
-
 }  // namespace
 
 struct VariantRecorder::State {
@@ -34,7 +30,7 @@ struct VariantRecorder::State {
         store(writer),
         begun(reader),
         options(given),
-        arena(thread_count(given)),
+        arena(thread_count(given.threads)),
         evaluators([this] { return VariantEvaluator(plan); }) {
     progress.planned = planned;
   }

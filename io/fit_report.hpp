@@ -25,7 +25,6 @@ struct ReportFace {
   std::string name;
   std::size_t points = 0;
   double seen = 0.0;  ///< share of the face
-  double mean = 0.0;  ///< signed, mm
   ReportDistances distances;
 };
 
@@ -54,8 +53,9 @@ struct ReportLine {
 /// to no one here.
 struct FitReport {
   std::string title;
-  std::string words;   ///< what was read and found, sentences
-  std::string status;  ///< how the fit ended; empty without a fit
+  std::string words;                  ///< what was read and found, sentences
+  std::vector<std::string> warnings;  ///< what to look at first, sentences
+  std::string status;                 ///< how the fit ended; empty without a fit
   std::string command;
   std::optional<model::Model> before;  ///< what the fit started from
   model::Model body;

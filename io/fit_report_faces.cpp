@@ -24,16 +24,16 @@ std::string row(const ReportFace& face) {
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td "
       "class=\"number\">{:.0f} %</td>{}{}{}{}</tr>\n",
-      html_escaped(face.name), face.points, 100.0 * face.seen, cell(face.mean),
-      cell(face.distances.median), cell(face.distances.p90), cell(face.distances.p99));
+      html_escaped(face.name), face.points, 100.0 * face.seen, cell(face.distances.median),
+      cell(face.distances.p90), cell(face.distances.p99), cell(face.distances.trimmed_rms));
 }
 
 std::string table(const std::vector<ReportFace>& faces, std::size_t first, std::size_t last) {
   std::string html =
       "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Face</th><th class=\"number\" "
       "scope=\"col\">Points</th><th class=\"number\" scope=\"col\">Seen</th><th class=\"number\" "
-      "scope=\"col\">Mean, signed</th><th class=\"number\" scope=\"col\">Median</th><th "
-      "class=\"number\" scope=\"col\">90 %</th><th class=\"number\" scope=\"col\">99 "
+      "scope=\"col\">Median</th><th class=\"number\" scope=\"col\">90 %</th><th "
+      "class=\"number\" scope=\"col\">99 %</th><th class=\"number\" scope=\"col\">RMS of 90 "
       "%</th></tr></thead>\n<tbody>\n";
   for (std::size_t k = first; k < last; ++k) html += row(faces[k]);
   return html + "</tbody></table></div>\n";
@@ -52,8 +52,10 @@ std::string fit_distances_section(const FitReport& report) {
   html += svg_histogram(report.field.values, report.field.range,
                         "signed distance of the scan's points, mm");
   html +=
-      "<h3>Face by face</h3>\n<p class=\"lead\">mm, worst first; the mean is positive where the "
-      "scan lies outside. Joints and corners of the body have names of their own.</p>\n" +
+      "<h3>Face by face</h3>\n<p class=\"lead\">mm, without sign, worst first; the last column is "
+      "the "
+      "root mean square of the nearest 90 %. Joints and corners of the body have names of their "
+      "own.</p>\n" +
       table(faces, 0, shown);
   if (shown < faces.size()) {
     html += fmt::format("<details><summary>{} more faces</summary>\n{}</details>\n",

@@ -64,6 +64,8 @@ std::string fit_verdict_section(const FitReport& report) {
         mm(report.distances.median), mm(report.distances.p90));
   }
   html += outlines_sentence(report.outlines);
+  for (const std::string& warning : report.warnings)
+    html += fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(warning));
   html += html_names_sentence("Folded", report.folded_faces, "warning");
   html += html_names_sentence("Hardly seen by the scan", report.unseen_patches, "status");
   if (!report.status.empty())

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,17 @@ struct PlacedViews {
   std::vector<std::string> notes;       ///< sentences: what was taken for granted, what disagrees
 };
 
+/// Nothing says how large the car is in a view.
+class NoScale : public std::invalid_argument {
+ public:
+  NoScale(model::View view, const std::string& sentence)
+      : std::invalid_argument(sentence), view_(view) {}
+  model::View view() const { return view_; }
+
+ private:
+  model::View view_;
+};
+
 /// How far two drawings may differ in a size that they share, once their scales are chosen as well
 /// as they can be, before they are refused.
 inline constexpr double size_tolerance = 0.025;
@@ -43,7 +55,7 @@ inline constexpr double size_tolerance = 0.025;
 /// length and width, front and rear width and height; so one scale or one size fixes all that are
 /// joined to it, as least squares of the logarithms. Where none is known but a file says how long
 /// its unit is on paper and a car so large is possible, the drawing is taken to be at full size.
-/// Throws std::invalid_argument with a sentence when a scale cannot be found, and when sizes differ
+/// Throws NoScale when a scale cannot be found, and std::invalid_argument when sizes differ
 /// by more than `size_tolerance` although a scale could be chosen.
 PlacedViews place_drawings(const std::vector<ViewDrawing>& views, const PlaceOptions& options);
 

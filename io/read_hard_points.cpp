@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
+#include "io/decimal_commas.hpp"
 #include "io/scan_input.hpp"
 #include "io/scan_words.hpp"
 #include "model/largest_coordinate.hpp"
@@ -22,6 +24,16 @@ double number(const ScanInput& input, std::string_view word) {
                                 shown_word(word), model::largest_coordinate));
   }
   return value;
+}
+
+// One line of words may stand above the points.
+bool is_heading(std::string_view line) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double ignored = 0.0;
+    const std::string_view word = next_word(line);
+    if (word.empty() || number_from_word(word, ignored)) return false;
+  }
+  return true;
 }
 
 model::HardPoint parse(const ScanInput& input, std::string_view line) {
@@ -48,10 +60,12 @@ std::vector<model::HardPoint> read_hard_points(const std::filesystem::path& path
   ScanInput input(path);
   std::vector<model::HardPoint> points;
   std::string_view line;
-  while (input.filled_line(line)) {
+  std::string buffer;
+  for (bool first = true; input.filled_line(line);) {
     std::string_view rest = line;
     if (next_word(rest).starts_with('#')) continue;
-    points.push_back(parse(input, line));
+    if (std::exchange(first, false) && is_heading(line)) continue;
+    points.push_back(parse(input, with_decimal_points(line, buffer)));
     if (points.size() > most_points)
       input.fail(fmt::format("has over {} hard points.", most_points));
   }

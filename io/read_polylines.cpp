@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/decimal_commas.hpp"
 #include "io/drawing_limits.hpp"
 #include "io/drawing_text.hpp"
 #include "io/input_error.hpp"
@@ -27,7 +28,7 @@ class PolylineReader {
       return;
     }
     Vector3d point;
-    std::string_view words = rest;
+    std::string_view words = with_decimal_points(rest, buffer_);
     for (int axis = 0; axis < 3; ++axis) {
       if (!number_from_word(next_word(words), point[axis])) return pass_heading(rest);
     }
@@ -65,6 +66,7 @@ class PolylineReader {
   std::vector<std::vector<Vector3d>> polylines_;
   std::vector<Vector3d> polyline_;
   std::size_t count_ = 0;
+  std::string buffer_;  // of a line with its decimal commas replaced
   int line_ = 0;
   bool heading_ = false;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/decimal_commas.hpp"
 #include "io/scan_collector.hpp"
 #include "io/scan_input.hpp"
 #include "io/scan_words.hpp"
@@ -59,7 +60,7 @@ class TextRows {
     std::string_view line;
     while (input_.line(line)) {
       if (is_comment(line)) continue;
-      row = row_from_line(line);
+      row = row_from_line(with_decimal_points(line, buffer_));
       if (row.count >= 3) {
         ++points_;
         return true;
@@ -92,6 +93,7 @@ class TextRows {
   ScanInput input_;
   bool counted_;  // in PTS files the counts are binding
   bool heading_seen_ = false;
+  std::string buffer_;  // of a line with its decimal commas replaced
   std::uint64_t points_ = 0, announced_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <optional>
 
+#include "io/decimal_commas.hpp"
 #include "io/read_strokes_formats.hpp"
 #include "io/scan_input.hpp"
 #include "io/scan_words.hpp"
@@ -79,11 +80,12 @@ std::vector<model::Stroke> read_strokes_text(const std::filesystem::path& path) 
   std::optional<Layout> layout;
   bool apart = true;  // the next point begins a stroke
   std::string_view line;
+  std::string buffer;
   while (input.line(line)) {
     const std::string_view text = trimmed(line);
     if (text.empty()) apart = true;
     if (text.empty() || text.starts_with('#')) continue;
-    const std::vector<std::string_view> columns = columns_of(line);
+    const std::vector<std::string_view> columns = columns_of(with_decimal_points(line, buffer));
     if (!layout) {
       layout = layout_of_heading(columns);
       if (layout) continue;

@@ -84,7 +84,7 @@ std::string change_cell(double before, double after, double exact_below, bool wa
 
 std::string row(const EdgePair& pair) {
   const model::EdgeDeviation &before = pair.before->deviation, &after = pair.after->deviation;
-  const std::string kind = is_printed_seam(*pair.after) ? "seam as printed"
+  const std::string kind = is_printed_seam(*pair.after) ? "seam of whole patches"
                            : pair.after->pillar         ? "corner at a seam"
                                                         : model::edge_kind_name(pair.after->kind);
   return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>{}{}{}</tr>\n",

@@ -1,6 +1,7 @@
 #include "io/view_scales.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -85,9 +86,11 @@ void take_full_size(std::vector<DrawnSize>& views, const KnownSizes& known,
     if (open == views.size()) return;
     if (drawn == views.size()) {
       const std::array<int, 2> shown = shown_sizes(views[open].view);
-      throw std::invalid_argument(fmt::format(
-          "nothing says how large the car is in the view {}: give a scale, or its {} or {}",
-          view_name(views[open].view), size_names[shown[0]], size_names[shown[1]]));
+      throw NoScale(
+          views[open].view,
+          fmt::format(
+              "nothing says how large the car is in the view {}: give a scale, or its {} or {}",
+              view_name(views[open].view), size_names[shown[0]], size_names[shown[1]]));
     }
     views[drawn].scale = views[drawn].unit_mm;
     notes.push_back(fmt::format("The view {} is taken to be drawn at full size.",
@@ -130,7 +133,7 @@ void solve(const std::vector<DrawnSize>& views, const KnownSizes& known, ViewSca
 
 // One size as each view has it: says or refuses what differs.
 void compare(int size, const std::vector<DrawnSize>& views, const KnownSizes& known,
-             ViewScales& result) {
+             ViewScales& result, std::vector<std::string>& refused) {
   std::vector<double> values;
   std::vector<std::string> words;
   bool chosen = false;
@@ -153,7 +156,7 @@ void compare(int size, const std::vector<DrawnSize>& views, const KnownSizes& kn
   if (apart <= worth_saying) return;
   const std::string sentence = fmt::format("the drawings differ in their {} by {:.1f} %: {}",
                                            size_names[size], 100.0 * apart, fmt::join(words, ", "));
-  if (apart > size_tolerance && chosen) throw std::invalid_argument(sentence);
+  if (apart > size_tolerance && chosen) return refused.push_back(sentence);
   result.notes.push_back("T" + sentence.substr(1) + ".");
 }
 
@@ -170,7 +173,9 @@ ViewScales view_scales(std::vector<DrawnSize> views, const KnownSizes& known) {
   ViewScales result;
   take_full_size(views, known, result.notes);
   solve(views, known, result);
-  for (int size = 0; size < 3; ++size) compare(size, views, known, result);
+  std::vector<std::string> refused;
+  for (int size = 0; size < 3; ++size) compare(size, views, known, result, refused);
+  if (!refused.empty()) throw std::invalid_argument(fmt::format("{}", fmt::join(refused, "; ")));
   return result;
 }
 

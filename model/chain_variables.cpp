@@ -1,7 +1,6 @@
 #include "model/chain_variables.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "model/family.hpp"
@@ -9,8 +8,6 @@
 
 namespace bodyline::model {
 namespace {
-
-constexpr double least_ratio = 0.2, most_ratio = 5.0, most_slide = 10.0;
 
 std::string index_text(int k) { return "[" + std::to_string(k) + "]"; }
 
@@ -45,9 +42,8 @@ bool join_holds(const FamilyPatch& patch, const ShapeNumber& number, bool across
   const auto basis = family(patch.family, number.in_v ? patch.degree_v : patch.degree_u);
   const int count = basis->shape_count(), row = number.index / count;
   const auto& shape = number.in_v ? patch.shape_v : patch.shape_u;
-  const EndConstants slope = end_constants_derivative(
-      *basis, std::span(shape).subspan(row * count, count), end, number.index % count);
-  return slope.d == 0.0 && (join.continuity == 1 || (slope.a == 0.0 && slope.b == 0.0));
+  return end_constants_stay(*basis, std::span(shape).subspan(row * count, count),
+                            number.index % count, end, join.continuity);
 }
 
 bool points_stay(const PatchChain& chain, const ShapeNumber& number) {
@@ -107,20 +103,9 @@ void add_joins(const PatchChain& chain, const ChainLayout& layout,
                std::vector<ChainVariable>& variables) {
   for (int k = 0; k < int(chain.joins.size()); ++k) {
     const PatchJoin& join = chain.joins[k];
-    const std::string& name = chain.patches[k + 1].name;
-    variables.push_back({"ratio." + name,
-                         ChainKind::ratio,
-                         {layout.ratio(k)},
-                         std::min(least_ratio, join.ratio),
-                         std::max(most_ratio, join.ratio),
-                         false});
-    if (join.continuity < 2) continue;
-    variables.push_back({"slide." + name,
-                         ChainKind::slide,
-                         {layout.slide(k)},
-                         std::min(-most_slide, join.slide),
-                         std::max(most_slide, join.slide),
-                         false});
+    add_join_variables({chain.patches[k + 1].name, join.continuity, join.ratio, join.slide,
+                        layout.ratio(k), layout.slide(k)},
+                       variables);
   }
 }
 
@@ -131,21 +116,13 @@ bool is_determined(const PatchJoin& join, int i, int j) {
 
 void add_points(const PatchChain& chain, const ChainLayout& layout,
                 std::vector<ChainVariable>& variables) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (int p = 0; p < int(chain.patches.size()); ++p) {
     const FamilyPatch& patch = chain.patches[p];
     for (int i = 0; i <= patch.degree_u; ++i) {
       for (int j = 0; j <= patch.degree_v; ++j) {
         if (p > 0 && is_determined(chain.joins[p - 1], i, j)) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-          variables.push_back(
-              {"point." + patch.name + index_text(i) + index_text(j) + "." + "xyz" [axis],
-               ChainKind::point,
-               { layout.point(p, i * (patch.degree_v + 1) + j) + axis },
-               -infinity,
-               infinity,
-               false});
-        }
+        add_point_variables(patch.name + index_text(i) + index_text(j),
+                            layout.point(p, i * (patch.degree_v + 1) + j), variables);
       }
     }
   }

@@ -51,7 +51,7 @@ std::string normal_sentence(const BodyCheck& check, const EdgeCheck& edge) {
     return edge_title(edge) + ": normals differ by up to " + number("%.3g", angle) + " degrees" +
            at + ".";
   }
-  std::string sentence = edge_title(edge) + ": as printed normals differ by up to " +
+  std::string sentence = edge_title(edge) + ": normals of the whole patches differ by up to " +
                          number("%.2f", angle) + " degrees" + at;
   if (const EdgeCheck* later = corrected(check, edge)) {
     sentence += "; the construction corrects it to " +

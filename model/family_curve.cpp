@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "model/bezier_pieces.hpp"
 #include "model/family.hpp"
@@ -30,6 +31,16 @@ LineJoin line_join(const FamilyCurve& first, const CurveJoin& join, const Family
   return join.continuity == 2 ? line : first_order(line);
 }
 
+// Adds what the constants at an end pass on to the shape parameters.
+void add_shape(const FamilyCurve& curve, int end, const EndConstants& bar,
+               FamilyCurveBar& curve_bar) {
+  const auto basis = family(curve.family, curve.degree());
+  for (int k = 0; k < int(curve.shape.size()); ++k) {
+    const EndConstants slope = end_constants_derivative(*basis, curve.shape, end, k);
+    curve_bar.shape[k] += bar.d * slope.d + bar.a * slope.a + bar.b * slope.b;
+  }
+}
+
 void check_join(const FamilyCurve& first, const CurveJoin& join, const FamilyCurve& second) {
   check_curve(first);
   check_curve(second);
@@ -46,6 +57,9 @@ void check_join(const FamilyCurve& first, const CurveJoin& join, const FamilyCur
 }
 
 }  // namespace
+
+FamilyCurveBar::FamilyCurveBar(const FamilyCurve& curve)
+    : points(curve.points.size(), Eigen::Vector3d::Zero()), shape(curve.shape.size(), 0.0) {}
 
 void check_curve(const FamilyCurve& curve) {
   const auto basis = family(curve.family, curve.degree());
@@ -95,6 +109,43 @@ void join_curve_backwards(FamilyCurve& first, const CurveJoin& join, const Famil
   first.points[n] = second.points[0];
   first.points[n - 1] = second.points[0] - line.second.d / (line.ratio * line.first.d) *
                                                (second.points[1] - second.points[0]);
+}
+
+void join_curve_pullback(const FamilyCurve& first, const CurveJoin& join, const FamilyCurve& second,
+                         FamilyCurveBar& first_bar, CurveJoinBar& join_bar,
+                         FamilyCurveBar& second_bar) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  LineEnd line_bar{zero, zero, zero}, end_bar{zero, zero, zero};
+  for (int k = 0; k <= join.continuity; ++k)
+    line_bar[k] = std::exchange(second_bar.points[k], zero);
+  const int n = first.degree();
+  LineJoin bar;
+  bar.ratio = bar.slide = 0.0;
+  joined_line_pullback(line_join(first, join, second),
+                       {first.points[n], first.points[n - 1], first.points[n - 2]}, line_bar,
+                       end_bar, bar);
+  for (int k = 0; k < 3; ++k) first_bar.points[n - k] += end_bar[k];
+  join_bar.ratio += bar.ratio;
+  if (join.continuity == 2) join_bar.slide += bar.slide;
+  add_shape(first, 1, bar.first, first_bar);
+  add_shape(second, 0, bar.second, second_bar);
+}
+
+void join_curve_backwards_pullback(const FamilyCurve& first, const CurveJoin& join,
+                                   const FamilyCurve& second, FamilyCurveBar& first_bar,
+                                   CurveJoinBar& join_bar, FamilyCurveBar& second_bar) {
+  const LineJoin line = line_join(first, join, second);
+  const double stretch = line.second.d / (line.ratio * line.first.d);
+  const int n = first.degree();
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d end_bar = std::exchange(first_bar.points[n], zero);
+  const Eigen::Vector3d inner_bar = std::exchange(first_bar.points[n - 1], zero);
+  second_bar.points[0] += end_bar + (1.0 + stretch) * inner_bar;
+  second_bar.points[1] -= stretch * inner_bar;
+  const double stretch_bar = -inner_bar.dot(second.points[1] - second.points[0]);
+  join_bar.ratio -= stretch_bar * stretch / line.ratio;
+  add_shape(first, 1, {-stretch_bar * stretch / line.first.d, 0.0, 0.0}, first_bar);
+  add_shape(second, 0, {stretch_bar / (line.ratio * line.first.d), 0.0, 0.0}, second_bar);
 }
 
 std::vector<std::vector<Eigen::Vector3d>> bezier_pieces(const FamilyCurve& curve,

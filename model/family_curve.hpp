@@ -19,6 +19,13 @@ struct FamilyCurve {
   int degree() const { return int(points.size()) - 1; }
 };
 
+/// Adjoints of the numbers of a FamilyCurve.
+struct FamilyCurveBar {
+  explicit FamilyCurveBar(const FamilyCurve& curve);  ///< all zero
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> shape;
+};
+
 /// Throws std::invalid_argument when degree or shape are not those of the family, or a number is
 /// not finite.
 void check_curve(const FamilyCurve& curve);
@@ -46,6 +53,23 @@ void join_curve(const FamilyCurve& first, const CurveJoin& join, FamilyCurve& se
 /// The same from behind, G1 only: writes the last two points of the first curve from the first two
 /// of the second.
 void join_curve_backwards(FamilyCurve& first, const CurveJoin& join, const FamilyCurve& second);
+
+/// Adjoints of a join's numbers.
+struct CurveJoinBar {
+  double ratio = 0.0, slide = 0.0;
+};
+
+/// Adds to the adjoints of the first curve, of both shapes and of the join from those of the
+/// points that join_curve wrote, which it sets to zero.
+void join_curve_pullback(const FamilyCurve& first, const CurveJoin& join, const FamilyCurve& second,
+                         FamilyCurveBar& first_bar, CurveJoinBar& join_bar,
+                         FamilyCurveBar& second_bar);
+
+/// The same for join_curve_backwards, which wrote points of the first curve; both curves may be the
+/// same one.
+void join_curve_backwards_pullback(const FamilyCurve& first, const CurveJoin& join,
+                                   const FamilyCurve& second, FamilyCurveBar& first_bar,
+                                   CurveJoinBar& join_bar, FamilyCurveBar& second_bar);
 
 /// The curve as Bezier pieces, in order: exact for polynomial families, else within a tolerance and
 /// joined with two derivatives (bezier_pieces.hpp). Throws as check_curve.

@@ -29,6 +29,8 @@ inline constexpr Freedoms in_plane{false, true, false, true, false, true, true, 
 /// Only shifts within the symmetry plane.
 inline constexpr Freedoms shifts_in_plane{false, false, false, true, false,
                                           true,  false, false, false};
+/// All but turns, and shifts to the side.
+inline constexpr Freedoms without_turns{false, false, false, true, false, true, true, true, true};
 /// Only stretches.
 inline constexpr Freedoms stretches{false, false, false, false, false, false, true, true, true};
 

@@ -8,6 +8,7 @@
 
 #include "optimize/align_box.hpp"
 #include "optimize/align_cloud.hpp"
+#include "optimize/align_ends.hpp"
 #include "optimize/align_ground.hpp"
 #include "optimize/align_level.hpp"
 #include "optimize/align_one_side.hpp"
@@ -127,6 +128,17 @@ void find_missing_side(const AlignCloud& cloud, const BodySamples& shape,
   if (right < side_ratio * left) result.missing = MissingSide::right;
 }
 
+// `placement` leaves the car standing level. Where an end is missing the whole shape is stretched
+// anew, without turns: a small one would lift or lower the far end by much.
+void find_missing_end(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
+                      AlignResult& result) {
+  const AlignCloud few = thinned(cloud, settled_points);
+  const Placement upright = registered(few, shape, placement, refining_scales, without_turns);
+  result.missing_end = missing_end(few, shape, upright, result.coverage);
+  if (result.missing_end != MissingEnd::none)
+    result.beyond_end = samples_beyond(cloud, shape, upright, result.missing_end);
+}
+
 // Settles the plane of symmetry from the scan itself where both sides are there.
 Placement settled(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
                   AlignResult& result) {
@@ -177,23 +189,45 @@ const char* side_words(MissingSide side) {
   return side == MissingSide::left ? "the left side is missing" : "the right side is missing";
 }
 
-std::string described(const AlignResult& result) {
+std::string end_words(MissingEnd end, const std::string& reference) {
+  if (end == MissingEnd::none) return "";
+  const std::string which = end == MissingEnd::front  ? "FRONT OF THE CAR IS"
+                            : end == MissingEnd::rear ? "REAR OF THE CAR IS"
+                                                      : "FRONT AND REAR OF THE CAR ARE";
+  return "THE " + which +
+         " NOT IN THE SCAN: length, overhang and wheelbase cannot be told from it; a fit gives "
+         "what is missing the proportions of " +
+         reference + ".";
+}
+
+std::string warning_of(const AlignResult& result, const std::string& reference) {
+  std::string words = end_words(result.missing_end, reference);
+  if (result.pose_is_doubtful)
+    words += std::string(words.empty() ? "" : " ") +
+             "AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
+  return words;
+}
+
+std::string described(const AlignResult& result, const std::string& reference) {
   char text[320];
-  std::snprintf(text, sizeof text,
-                "The unit is %s. %.0f %% of the points lie on the start model stretched to the "
-                "scan, and they cover %.0f %% of it; %s.",
-                result.unit.c_str(), 100.0 * result.fit, 100.0 * result.coverage,
-                side_words(result.missing));
+  std::snprintf(
+      text, sizeof text,
+      "The unit is %s. %.0f %% of the points lie on %.80s stretched to the scan, and they "
+      "cover %.0f %% of it; %s.",
+      result.unit.c_str(), 100.0 * result.fit, reference.c_str(), 100.0 * result.coverage,
+      side_words(result.missing));
   std::string words = text;
+  if (result.ground > 0.0) {
+    std::snprintf(text, sizeof text,
+                  " %.0f %% of the points lie on the ground, which the pose does not look at.",
+                  100.0 * result.ground);
+    words += text;
+  }
   if (result.symmetry_mm > 0.0) {
     std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
     words += text;
   }
-  if (result.pose_is_doubtful)
-    words += " AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
-  if (result.missing_end != MissingEnd::none)
-    words += result.missing_end == MissingEnd::front ? " The front half is missing."
-                                                     : " The rear half is missing.";
+  if (!result.warning.empty()) words += " " + result.warning;
   if (result.doubt > worth_a_word)
     words += " Another orientation fits nearly as well: look at the result, or give the pose.";
   return words;
@@ -206,30 +240,39 @@ struct Found {
   FitEvidence evidence;
 };
 
-Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine) {
+// `whole` is the start model, of which `coarse` and `fine` may be a half.
+Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine,
+               const BodySamples& whole) {
   Found found;
   const auto candidates = searched(car, coarse);
   if (candidates.size() > 1)
     found.result.doubt = candidates[1].score.total() / candidates[0].score.total();
   Placement placement = settled(car.off_ground, fine, candidates.front().placement, found.result);
   judge(car.off_ground, fine, placement, found.result);
+  if (car.ground)
+    found.result.ground =
+        1.0 - double(car.off_ground.points.size()) / double(car.cloud.points.size());
   found.evidence = {found.result.fit, found.result.cover, found.result.doubt, placement.stretch[0]};
   settle_level(car.off_ground, placement);
+  find_missing_end(car.off_ground, whole, placement, found.result);
   found.placement = shifted(car.off_ground, fine, placement);
   return found;
 }
 
 // Tries halves of the start model where the scan may be no whole car.
 Found found_placement(const Prepared& car, const BodySamples& coarse, const BodySamples& fine) {
-  const Found whole = found_on(car, coarse, fine);
+  const Found whole = found_on(car, coarse, fine, fine);
   if (is_clearly_a_car(whole.evidence)) return whole;
   Found best = whole;
+  bool is_half = false;
   for (const double end : {-1.0, 1.0}) {
-    Found half = found_on(car, half_of(coarse, end), half_of(fine, end));
+    Found half = found_on(car, half_of(coarse, end), half_of(fine, end), fine);
     half.result.missing_end = end < 0.0 ? MissingEnd::rear : MissingEnd::front;
-    if (is_rather_half_a_car(half.evidence, best.evidence)) best = half;
+    if (!is_rather_half_a_car(half.evidence, best.evidence)) continue;
+    best = half;
+    is_half = true;
   }
-  if (best.result.missing_end == MissingEnd::none) refuse_by_fit(whole.evidence);
+  if (!is_half) refuse_by_fit(whole.evidence);
   return best;
 }
 
@@ -243,6 +286,7 @@ Placement given_placement(const Prepared& car, const BodySamples& fine, const Al
   settled(car.off_ground, fine, given, result);  // tells which side is missing
   const Placement stretched = registered(few, fine, given, given_scales, stretches);
   judge(car.off_ground, fine, stretched, result);
+  find_missing_end(car.off_ground, fine, stretched, result);
   result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }
@@ -267,7 +311,9 @@ AlignResult align_scan(const model::Scan& scan, const model::Model& start,
   result.pose.scale = car.unit.mm;
   result.pose.rotation = placement.rotation;
   result.pose.translation = placement.translation;
-  result.words = described(result);
+  for (Vector3d& point : result.beyond_end.points) point /= car.unit.mm;
+  result.warning = warning_of(result, options.reference);
+  result.words = described(result, options.reference);
   return result;
 }
 

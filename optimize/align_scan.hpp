@@ -10,16 +10,17 @@ namespace bodyline::optimize {
 
 /// How to align a scan.
 struct AlignOptions {
-  double unit_mm = 0.0;             ///< mm per unit of the scan; 0: guessed from its size
-  std::optional<model::Pose> pose;  ///< taken as it is, unit included, and only judged
-  unsigned seed = 1;                ///< of the draw of points; the result hardly depends on it
+  double unit_mm = 0.0;                       ///< mm per unit of the scan; 0: guessed from its size
+  std::optional<model::Pose> pose;            ///< taken as it is, unit included, and only judged
+  std::string reference = "the start model";  ///< what the start model is called in sentences
+  unsigned seed = 1;  ///< of the draw of points; the result hardly depends on it
 };
 
 /// Which side of the car a scan leaves out.
 enum class MissingSide { none, left, right };
 
-/// Which end of the car a scan leaves out.
-enum class MissingEnd { none, front, rear };
+/// Which end of the car a scan leaves out, or both.
+enum class MissingEnd { none, front, rear, both };
 
 /// Where a scan lies.
 struct AlignResult {
@@ -32,10 +33,14 @@ struct AlignResult {
   double cover = 0.0;     ///< how well the points cover the stretched start model, without a
                           ///< missing side, 0 to about 1
   double coverage = 0.0;  ///< share of its two sides with a point near, 0 to 1
+  double ground = 0.0;    ///< share of the points on the ground, set aside; 0: none was found
   MissingSide missing = MissingSide::none;
   MissingEnd missing_end = MissingEnd::none;
+  model::Scan beyond_end;  ///< what the stretched start model has where an end is missing, in
+                           ///< the scan's coordinates; empty else
   bool pose_is_doubtful = false;  ///< at a given pose the scan does not lie like a car
   std::string words;              ///< all this for the user, in sentences
+  std::string warning;            ///< of them what must not be missed; empty when all is well
 };
 
 /// Finds where a scan of a car in any orientation, position and unit lies on a start model: which

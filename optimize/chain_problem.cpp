@@ -8,18 +8,9 @@
 namespace bodyline::optimize {
 namespace {
 
-double typical_move(model::ChainKind kind, double within) {
-  switch (kind) {
-    case model::ChainKind::shape:
-      return 1.0;
-    case model::ChainKind::ratio:
-      return 0.5;
-    case model::ChainKind::slide:
-      return 1.0;
-    case model::ChainKind::point:
-      return within;
-  }
-  return 1.0;
+model::PatchChain propagated(model::PatchChain chain) {
+  model::propagate(chain);
+  return chain;
 }
 
 std::vector<double> flat(const std::vector<Eigen::Vector3d>& net) {
@@ -41,16 +32,11 @@ std::vector<Eigen::Vector3d> points_of(const std::vector<double>& numbers) {
 ChainProblem::ChainProblem(const model::PatchChain& chain,
                            std::vector<model::ChainVariable> variables,
                            const ChainProblemOptions& options)
-    : chain_(chain),
+    : ChainObjective(std::move(variables), to_numbers(propagated(chain), model::ChainLayout(chain)),
+                     options.within),
+      chain_(propagated(chain)),
       layout_(chain),
-      variables_(std::move(variables)),
-      options_(options),
-      lower_(variables_.size()),
-      upper_(variables_.size()),
-      scale_(variables_.size()) {
-  if (!(options.within > 0.0))
-    throw std::invalid_argument("the distance that points may move must be positive");
-  model::propagate(chain_);
+      options_(options) {
   for (const model::FamilyPatch& patch : chain_.patches) {
     const model::Surface form = model::bezier_form(patch);
     const std::pair degrees(form.degree_u, form.degree_v);
@@ -59,30 +45,11 @@ ChainProblem::ChainProblem(const model::PatchChain& chain,
                           false);
     }
   }
-  const Eigen::VectorXd x = start();
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const model::ChainVariable& variable = variables_[k];
-    const bool point = variable.kind == model::ChainKind::point;
-    lower_[k] = point ? x[k] - options.within : variable.lower;
-    upper_[k] = point ? x[k] + options.within : variable.upper;
-    scale_[k] = typical_move(variable.kind, options.within);
-  }
-}
-
-Eigen::VectorXd ChainProblem::start() const {
-  const Eigen::VectorXd numbers = to_numbers(chain_, layout_);
-  Eigen::VectorXd x(variables_.size());
-  for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = numbers[variables_[k].members.front()];
-  return x;
 }
 
 model::PatchChain ChainProblem::chain_at(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd numbers = to_numbers(chain_, layout_);
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    for (const int member : variables_[k].members) numbers[member] = x[k];
-  }
   model::PatchChain chain = chain_;
-  set_numbers(chain, layout_, numbers);
+  set_numbers(chain, layout_, numbers_at(x));
   propagate(chain);
   return chain;
 }
@@ -122,12 +89,7 @@ double ChainProblem::value(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) 
   std::vector<model::FamilyPatchBar> bars;
   for (const model::FamilyPatch& patch : chain.patches)
     sum += patch_value(patch, gradient ? &bars.emplace_back(patch) : nullptr);
-  if (!gradient) return sum;
-  const Eigen::VectorXd numbers_bar = propagate_pullback(chain, layout_, bars);
-  gradient->setZero(x.size());
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    for (const int member : variables_[k].members) (*gradient)[k] += numbers_bar[member];
-  }
+  if (gradient) *gradient = numbers_at_pullback(propagate_pullback(chain, layout_, bars));
   return sum;
 }
 

@@ -4,11 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "model/chain_variables.hpp"
 #include "model/face_rule.hpp"
 #include "model/kernels.hpp"
 #include "model/patch_chain.hpp"
-#include "optimize/problem.hpp"
+#include "optimize/chain_objective.hpp"
 
 namespace bodyline::optimize {
 
@@ -24,33 +23,26 @@ struct ChainProblemOptions {
 /// Fairness of a chain of joined patches over some of its variables. The rows that the joins
 /// determine are computed again for every x, so that the joins hold exactly throughout. Patches
 /// that are no polynomials are summed over their Bezier forms (model/bezier_form.hpp).
-class ChainProblem : public Problem {
+class ChainProblem : public ChainObjective {
  public:
   /// Throws std::invalid_argument as model::propagate, and when a patch has no Bezier form.
   ChainProblem(const model::PatchChain& chain, std::vector<model::ChainVariable> variables,
                const ChainProblemOptions& options);
 
-  Eigen::Index size() const override { return lower_.size(); }
-  const Eigen::VectorXd& lower() const override { return lower_; }
-  const Eigen::VectorXd& upper() const override { return upper_; }
-  const Eigen::VectorXd& scale() const override { return scale_; }
   /// Not finite where shape parameters leave a row undefined.
   double value(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) override;
 
-  Eigen::VectorXd start() const;
   /// The propagated chain at x. Throws as model::propagate.
   model::PatchChain chain_at(const Eigen::VectorXd& x) const;
   /// Bending energy of all patches, unweighted, at the last x.
-  double bending() const { return bending_; }
+  double measure() const override { return bending_; }
 
  private:
   double patch_value(const model::FamilyPatch& patch, model::FamilyPatchBar* bar);
 
   model::PatchChain chain_;
   model::ChainLayout layout_;
-  std::vector<model::ChainVariable> variables_;
   ChainProblemOptions options_;
-  Eigen::VectorXd lower_, upper_, scale_;
   std::map<std::pair<int, int>, model::FaceTables> tables_;  // by the degrees of the Bezier forms
   double bending_ = 0.0;
 };

@@ -1,8 +1,9 @@
 #include "optimize/dimension_target.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
-#include "model/largest_coordinate.hpp"
 #include "optimize/bounded_target.hpp"
 
 namespace bodyline::optimize {
@@ -45,17 +46,69 @@ std::vector<NetRow> DimensionTarget::measure(const double* nets) {
   return rows;
 }
 
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+std::string interval(const DimensionBound& bound) {
+  return bound.lower == bound.upper ? number(bound.lower)
+                                    : number(bound.lower) + " to " + number(bound.upper);
+}
+
+bool is_angle(model::DimensionKind kind) { return kind == model::DimensionKind::rake; }
+
+// nan compares false.
+void check_range(const DimensionBound& bound, model::DimensionKind kind) {
+  const auto [least, most] = possible_range(kind);
+  for (const double value : {bound.lower, bound.upper}) {
+    if (value >= least && value <= most) continue;
+    throw std::invalid_argument(bound.name + " is from " + number(least) + " to " + number(most) +
+                                (is_angle(kind) ? " degrees" : " mm") + ", not " + number(value));
+  }
+}
+
 }  // namespace
+
+DimensionRange possible_range(model::DimensionKind kind) {
+  using enum model::DimensionKind;
+  if (is_angle(kind)) return {0.0, 90.0};
+  // An overhang is negative where an arch is open at the end of the car.
+  if (kind == front_overhang || kind == rear_overhang) return {-1000.0, 10000.0};
+  return {100.0, 20000.0};
+}
+
+std::vector<DimensionBound> merged(const std::vector<DimensionBound>& bounds) {
+  std::vector<DimensionBound> result;
+  for (const DimensionBound& bound : bounds) {
+    const auto same = std::find_if(result.begin(), result.end(), [&](const DimensionBound& other) {
+      return other.name == bound.name;
+    });
+    if (same == result.end()) {
+      result.push_back(bound);
+      continue;
+    }
+    if (bound.lower > same->upper || bound.upper < same->lower) {
+      throw std::invalid_argument(bound.name + " is asked for more than once, and " +
+                                  interval(*same) + " and " + interval(bound) +
+                                  " exclude each other");
+    }
+    same->lower = std::max(same->lower, bound.lower);
+    same->upper = std::min(same->upper, bound.upper);
+  }
+  return result;
+}
 
 FitTargetMaker dimension_target(const model::Model& model,
                                 const std::vector<DimensionBound>& bounds) {
   std::vector<Bounded> checked;
   for (const DimensionBound& bound : bounds) {
-    if (!(bound.lower <= bound.upper))
+    if (bound.lower > bound.upper)
       throw std::invalid_argument("the bounds of '" + bound.name + "' are in the wrong order");
-    if (bound.lower < -model::largest_coordinate || bound.upper > model::largest_coordinate)
-      throw std::invalid_argument("the bounds of '" + bound.name + "' must lie within 1 km");
-    checked.push_back({model::dimension_of(model, bound.name), bound.lower, bound.upper});
+    const model::Dimension dimension = model::dimension_of(model, bound.name);
+    check_range(bound, dimension.kind);
+    checked.push_back({dimension, bound.lower, bound.upper});
   }
   return [model, checked](const model::BodyPlan& plan, model::Stage stage, FitDetail) {
     return std::make_unique<DimensionTarget>(model, plan, stage, checked);

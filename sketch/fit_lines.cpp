@@ -7,6 +7,7 @@
 #include "sketch/line_rows.hpp"
 #include "sketch/line_state.hpp"
 #include "sketch/median.hpp"
+#include "sketch/speed_tolerance.hpp"
 #include "sketch/template_rows.hpp"
 
 namespace bodyline::sketch {
@@ -18,13 +19,13 @@ using Eigen::Vector3d;
 // By how much the speed of a curve, relative to its length, differs from the template's: at first,
 // before anything is known, and commonly. Where it differs by more, that is taken into account
 // (Cauchy): a curve may be of quite another kind; but it does not wander off and come back.
-constexpr double first_speed_error = 0.05, common_speed_error = 0.003, largest_speed_error = 0.3;
+constexpr double first_speed_error = 0.05, common_speed_error = 0.003;
 
 // By how much inner points differ from the template's, relative to the length of the curve, where
 // lines tell them, and where they do not.
 constexpr double known_shape_error = 0.2, unknown_shape_error = 0.005;
 
-constexpr double least_noise = 0.05;      // mm
+constexpr double least_noise = 0.025;     // mm
 constexpr double least_end_error = 1e-4;  // of the length of a line
 constexpr int first_weighings = 2, last_weighings = 4;
 constexpr int most_rounds = 40;         // of a search
@@ -150,7 +151,8 @@ class LinesSearch {
       weights.lines.push_back(
           line_weights(state, now_.picture(*state.line), noise, carelessness, settled));
     for (std::size_t c = 0; c < now_.curves.size(); ++c)
-      weights.speed_tolerances.push_back(settled ? settled_tolerance(c) : first_speed_error);
+      weights.speed_tolerances.push_back(settled ? settled_tolerance(c, weights.lines)
+                                                 : first_speed_error);
     return weights;
   }
 
@@ -166,10 +168,18 @@ class LinesSearch {
 
   // A curve that is not known in space keeps the speed of the template: nothing could tell it from
   // a detour in the direction that is not drawn.
-  double settled_tolerance(std::size_t curve) const {
+  double settled_tolerance(std::size_t curve, const std::vector<LineWeights>& weights) const {
     if (!start_.known[curve]) return common_speed_error;
-    const double error = speed_error(now_.curves[curve], like(curve));
-    return std::min(std::hypot(common_speed_error, error), largest_speed_error);
+    const int count = unknowns_.count() + 2 * int(lines_.size());
+    NormalEquations lines(count), shape(count), speed(count);
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (lines_[k].curve != int(curve)) continue;
+      add_line_rows(now_.lines[k], now_.picture(lines_[k]), weights[k], unknowns_, column_of(k),
+                    lines);
+    }
+    add_shape_rows(unknowns_, int(curve), now_.curves[curve], like(curve), shape);
+    add_speed_rows(unknowns_, int(curve), now_.curves[curve], like(curve), 1.0, speed);
+    return likely_speed_tolerance({lines, shape, speed, unknowns_.count()});
   }
 
   NormalEquations equations(const Position& position, const Weights& weights) const {

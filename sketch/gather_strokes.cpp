@@ -71,6 +71,10 @@ bool is_central(const model::Curve& curve) {
   return curve.points.front() == mirrored;
 }
 
+int curve_of(const model::Model& model, const model::DrawnPath& path) {
+  return CurveNames(model).curve_of(path);
+}
+
 GatheredStrokes gather_strokes(const model::Model& model,
                                std::span<const model::PlacedDrawing> drawings) {
   const CurveNames names(model);

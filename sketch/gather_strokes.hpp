@@ -24,6 +24,9 @@ struct GatheredStrokes {
 /// Whether a curve is its own mirror image, as the upper edge of a windshield is.
 bool is_central(const model::Curve& curve);
 
+/// The curve that a path is named after, or the innermost of its layers that is; -1 if none.
+int curve_of(const model::Model& model, const model::DrawnPath& path);
+
 /// Finds the paths that are named after curves, or lie in a layer that is. "-2" and the like behind
 /// a name is left out, since editors put it there to tell copies apart. What is drawn on the right
 /// half of the car is mirrored to the left. Paths without a name, in a layer that is no curve's,

@@ -80,11 +80,14 @@ LineWeights line_weights(const LineState& state, std::span<const Vector2d> pictu
   LineWeights weights{std::vector<double>(state.feet.size(), 0.0), {}};
   weights.along = weights.across;
   weights.ends = 1.0 / std::max(noise, carelessness * state.line->length);
+  // Points between those that were drawn share their errors.
+  const double share =
+      std::sqrt(std::min(1.0, double(state.line->told) / double(state.feet.size())));
   for (std::size_t k = 0; k < state.feet.size(); ++k) {
     if (!has_foot(state, k) && !is_held(state, k)) continue;
-    weights.across[k] = 1.0 / noise;
+    weights.across[k] = share / noise;
     if (!state.follows) continue;
-    weights.along[k] = 1.0 / deviation;
+    weights.along[k] = share / deviation;
     if (settled)
       weights.along[k] /= std::hypot(1.0, error_along(state, picture, k) / (doubtful * deviation));
   }

@@ -17,6 +17,9 @@ class NormalEquations {
 
   /// The sum of all squares at x = 0.
   double sum() const { return sum_; }
+  /// The sum at x is sum() - 2 right . x + x . matrix x.
+  const Eigen::MatrixXd& matrix() const { return matrix_; }
+  const Eigen::VectorXd& right() const { return right_; }
 
   /// Where the sum of all squares is least, when moves cost `damping` times what they cost already,
   /// unknown by unknown (Levenberg and Marquardt). Unknowns that no row holds are 0.

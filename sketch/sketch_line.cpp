@@ -60,7 +60,9 @@ void SketchLine::reverse() {
 
 SketchLine sketch_line(const Stroke& stroke) {
   const std::vector<CubicSegment>& segments = stroke.path.segments;
-  SketchLine line{stroke.curve, stroke.view, {}, 0.0, {}};
+  const int points_of_segment = is_polyline(segments) ? 1 : 3;
+  SketchLine line{
+      stroke.curve, stroke.view, {}, 0.0, points_of_segment * int(segments.size()) + 1, {}};
   std::vector<double> lengths;
   for (const CubicSegment& segment : segments) lengths.push_back(length_of(segment));
   for (const double length : lengths) line.length += length;

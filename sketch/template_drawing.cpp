@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sketch/curve_pieces.hpp"
+#include "sketch/drawn_degrees.hpp"
 #include "sketch/gather_strokes.hpp"
 #include "sketch/line_state.hpp"
 #include "sketch/visible_curves.hpp"
@@ -14,6 +15,7 @@ using Eigen::Vector2d;
 using model::View;
 
 constexpr double room = 500.0;  // mm between views
+constexpr int usual_degree = 3;
 
 Vector2d rounded(const Vector2d& point) {
   return (point * 1000.0).array().round().matrix() / 1000.0;
@@ -66,6 +68,7 @@ model::DrawnPath axes(const std::string& layer, const Vector2d& origin) {
 TemplateDrawing template_drawing(const model::Model& model) {
   const std::vector<std::vector<View>> visible = visible_curves(model);
   const Eigen::AlignedBox3d box = box_of(model);
+  std::vector<int> unnamed_degrees = degree_classes(model);  // -1 once a class has said its own
   TemplateDrawing result;
   result.drawing.unit_mm = 0.1;  // a tenth of the car on paper
   for (const View view : model::all_views()) {
@@ -83,6 +86,11 @@ TemplateDrawing template_drawing(const model::Model& model) {
       const bool shown = std::count(visible[c].begin(), visible[c].end(), view) != 0;
       path.layer = shown ? layer : guide;
       if (shown) path.name = curve.name;
+      const int degree = int(curve.points.size()) - 1, of_class = unnamed_degrees[c];
+      if (shown && degree != usual_degree && of_class >= 0) {
+        path.name = name_with_degree(curve.name, degree);
+        std::replace(unnamed_degrees.begin(), unnamed_degrees.end(), of_class, -1);
+      }
       (shown ? named : paths).push_back(std::move(path));
       if (view == View::side || is_central(curve) || !shown) continue;
       paths.push_back(drawn(view, curve, true, place));

@@ -22,7 +22,9 @@ struct TemplateDrawing {
 
 /// The curves of a body in four views beside each other, each curve in the views that see it and in
 /// as many more as it takes to tell its shape in space. Curves up to degree 3 are exact, others
-/// within 0.05 mm. A guide layer in each view holds its axes and, without names, all other lines.
+/// within 0.05 mm. Where a degree is not 3, the first path of the first of the curves that must
+/// have one degree says so behind its name. A guide layer in each view holds its axes and, without
+/// names, all other lines.
 TemplateDrawing template_drawing(const model::Model& model);
 
 }  // namespace bodyline::sketch

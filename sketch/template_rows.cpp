@@ -45,15 +45,21 @@ double speed_error(Points points, const CurveTemplate& like) {
   return count == 0 ? 0.0 : std::sqrt(squares / count);
 }
 
-void add_template_rows(const CurveUnknowns& unknowns, int curve, Points points,
-                       const CurveTemplate& like, double speed_tolerance,
-                       NormalEquations& equations) {
+void add_speed_rows(const CurveUnknowns& unknowns, int curve, Points points,
+                    const CurveTemplate& like, double speed_tolerance, NormalEquations& equations) {
   const int degree = int(points.size()) - 1;
   CurveRows rows(unknowns, curve);
   for_speeds(points, like, [&](double t, const Vector3d& direction, double error) {
     rows.add(model::bernstein(degree, t).d[1], direction, like.length * error,
              1.0 / (speed_tolerance * like.length));
   });
+  rows.add_to(equations);
+}
+
+void add_shape_rows(const CurveUnknowns& unknowns, int curve, Points points,
+                    const CurveTemplate& like, NormalEquations& equations) {
+  const int degree = int(points.size()) - 1;
+  CurveRows rows(unknowns, curve);
   for (int i = 0; i <= degree; ++i) {
     const bool inner = i > 0 && i < degree;
     std::vector<double> basis(std::size_t(degree) + 1, 0.0);
@@ -67,6 +73,13 @@ void add_template_rows(const CurveUnknowns& unknowns, int curve, Points points,
       rows.add(basis, Vector3d::Unit(axis), off[axis], 1.0 / error);
   }
   rows.add_to(equations);
+}
+
+void add_template_rows(const CurveUnknowns& unknowns, int curve, Points points,
+                       const CurveTemplate& like, double speed_tolerance,
+                       NormalEquations& equations) {
+  add_speed_rows(unknowns, curve, points, like, speed_tolerance, equations);
+  add_shape_rows(unknowns, curve, points, like, equations);
 }
 
 }  // namespace bodyline::sketch

@@ -18,8 +18,18 @@ struct CurveTemplate {
 /// lengths: root mean square along the curve. 0 where one of them has no length.
 double speed_error(std::span<const Eigen::Vector3d> points, const CurveTemplate& like);
 
-/// Adds what the template says of a curve, whose points are `points` now: its speed within
-/// `speed_tolerance`, its inner points relative to its ends, and, weakly, its ends.
+/// Adds what the template says of the speed of a curve, whose points are `points` now, within
+/// `speed_tolerance`.
+void add_speed_rows(const CurveUnknowns& unknowns, int curve,
+                    std::span<const Eigen::Vector3d> points, const CurveTemplate& like,
+                    double speed_tolerance, NormalEquations& equations);
+
+/// Adds what it says of the curve's inner points relative to its ends and, weakly, of its ends.
+void add_shape_rows(const CurveUnknowns& unknowns, int curve,
+                    std::span<const Eigen::Vector3d> points, const CurveTemplate& like,
+                    NormalEquations& equations);
+
+/// Adds both.
 void add_template_rows(const CurveUnknowns& unknowns, int curve,
                        std::span<const Eigen::Vector3d> points, const CurveTemplate& like,
                        double speed_tolerance, NormalEquations& equations);

@@ -6,6 +6,7 @@
 
 #include "cli/bounds_options.hpp"
 #include "cli/fit_text.hpp"
+#include "io/read_model.hpp"
 #include "tests/cli/program_run.hpp"
 
 namespace bodyline {
@@ -45,8 +46,7 @@ TEST(DimensionBound, OneNumberFixesTwoBound) {
 }
 
 TEST(DimensionBound, WhatIsNoBoundIsRefused) {
-  for (const char* text :
-       {"length", "length=", "length=a", "length=1:", "length=nan", "length=1:2:3"})
+  for (const char* text : {"length", "length=", "length=a", "length=1:", "length=1:2:3"})
     EXPECT_THROW(cli::dimension_bound_from_text(text), std::invalid_argument) << text;
 }
 
@@ -63,13 +63,22 @@ TEST_F(BoundsOptions, AreKeptAndReported) {
 }
 
 TEST_F(BoundsOptions, WhatIsNotKeptIsAFindingWithItsExitCode) {
-  // Both at once cannot be; in the middle between them nothing folds.
+  // All three at once cannot be; in the middle between them nothing folds.
   const auto run = bodyline({"fit", scan(), "-o", "out.toml", "--pose", "none", "--dimension",
-                             "length=4760", "--dimension", "length=4763", "--json"});
+                             "length=4760", "--dimension", "front_overhang=900", "--dimension",
+                             "wheelbase=2785", "--dimension", "rear_overhang=1083", "--json"});
   EXPECT_EQ(run.exit_code, 1) << run.err;
   const auto report = nlohmann::json::parse(run.out);
   EXPECT_EQ(report.at("folded"), nlohmann::json::array());
   EXPECT_EQ(report.at("dimensions").at("length").at("kept"), false);
+}
+
+TEST(ArchWarnings, AreOfRimsOverTenMillimetresOff) {
+  const auto words = cli::arch_warnings(
+      {{true, "top", 9.9}, {true, "front", 12.4}, {false, "rear", -20.2}, {false, "top", -9.9}});
+  ASSERT_EQ(words.size(), 2u);
+  EXPECT_EQ(words[0], "wheel arch front, front: rim 12 mm short of the scan");
+  EXPECT_EQ(words[1], "wheel arch rear, rear: rim 20 mm beyond the scan");
 }
 
 TEST(FitFindings, AFitThatFailedOrABoundThatIsNotKept) {
@@ -92,7 +101,23 @@ TEST(FitFindings, AFitThatFailedOrABoundThatIsNotKept) {
 TEST_F(BoundsOptions, BeyondAKilometreAreRefused) {
   write("far.csv", "1 2 3 inside\n1e300 0 900 outside\n");
   EXPECT_THAT(refusal({"--hard-points", "far.csv"}), HasSubstr("far.csv:2: \"1e300\" is beyond"));
-  EXPECT_THAT(refusal({"--dimension", "length=1e300"}), HasSubstr("'length' must lie within 1 km"));
+}
+
+TEST_F(BoundsOptions, ADimensionThatNoCarHasIsRefusedWithWhatCanBe) {
+  for (const char* value : {"-5", "0", "nan", "1e9", "4.7"}) {
+    EXPECT_THAT(refusal({"--dimension", std::string("length=") + value}),
+                HasSubstr("length is from 100 to 20000 mm, not "));
+  }
+  EXPECT_THAT(refusal({"--dimension", "rake.windshield=200"}),
+              HasSubstr("rake.windshield is from 0 to 90 degrees, not 200"));
+}
+
+TEST_F(BoundsOptions, ADimensionThatIsAskedForTwiceMustBePossible) {
+  EXPECT_THAT(refusal({"--dimension", "length=4700", "--dimension", "length=4800:4900"}),
+              HasSubstr("length is asked for more than once, and 4700 and 4800 to 4900 exclude"));
+  const model::Model model = io::read_model(car("template"));
+  const auto bounds = cli::read_bounds({{"length=4700", "length=4700"}, ""}, model);
+  EXPECT_EQ(bounds.dimensions.size(), 1u);
 }
 
 TEST_F(BoundsOptions, WhatIsNoCarIsRefusedWithItsFile) {

@@ -106,6 +106,9 @@ TEST_F(Deviation, LooksForMistakesBeforeItStarts) {
   refused({"--report", "a.htm"}, ".html");
   refused({"--report", "a.html", "--section", "x=wide"}, "'x=wide' is not a plane");
   refused({"--range", "-1"}, "--range");
+  refused({"--section", "x=1200"}, "--section chooses what the page shows");
+  refused({"--section", "x=1200", "-o", "a.png"}, "--section chooses what the page shows");
+  refused({"--range", "5"}, "--range is of the colours");
 }
 
 }  // namespace

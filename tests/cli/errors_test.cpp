@@ -37,7 +37,19 @@ TEST_P(Refused, WithOneSentenceExitCode2AndNoFile) {
   EXPECT_EQ(text("old.toml"), "old");
 }
 
+const std::string headlight = BODYLINE_SOURCE_DIR "/examples/headlight.toml";
+const std::string hull = BODYLINE_SOURCE_DIR "/examples/hull.toml";
+
 const std::vector<Refusal> refusals{
+    {"VariationOfPatches",
+     {"chain", hull, "--fair", "--measure", "variation"},
+     "--measure of patches is bending"},
+    {"UnknownMeasureOfCurves",
+     {"chain", headlight, "--fair", "--measure", "tension"},
+     "there is no measure \"tension\" of curves"},
+    {"NoVariableOfACurveChain",
+     {"chain", headlight, "--fair", "--vary", "slide.*"},
+     "no variable matches \"slide.*\""},
     {"NoCommand", {}, "give a command"},
     {"OnlyOptions", {"--quiet"}, "give a command"},
     {"UnknownOptionAlone", {"--jason"}, "--jason"},

@@ -1,6 +1,10 @@
 #include "cli/interrupt.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "cli/interrupt_words.hpp"
+#include "tests/cli/program_run.hpp"
 
 namespace bodyline {
 namespace {
@@ -33,6 +37,54 @@ TEST(Interrupt, EndsWithItsScope) {
     std::raise(SIGINT);
   };
   EXPECT_EXIT(ask_after(), ::testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(InterruptWords, AreSaidBeforeTheProgramEnds) {
+  const auto ask = [] {
+    const cli::InterruptWords words(cli::Context{}, "nothing was written.");
+    std::raise(SIGINT);
+  };
+  EXPECT_EXIT(ask(), ::testing::KilledBySignal(SIGINT), "^bodyline: nothing was written.\n$");
+}
+
+TEST(InterruptWords, EndWithTheirScope) {
+  const auto ask_after = [] {
+    { const cli::InterruptWords words(cli::Context{}, "nothing was written."); }
+    std::raise(SIGTERM);
+  };
+  EXPECT_EXIT(ask_after(), ::testing::KilledBySignal(SIGTERM), "^$");
+}
+
+/// Runs of `fit` that get a SIGINT at a known point.
+class InterruptedFit : public testing::CommandLine {};
+
+// Reading and placing so many points takes far longer than to see that the program listens.
+TEST_F(InterruptedFit, WhileItReadsSaysThatNothingWasWritten) {
+  ASSERT_EQ(bodyline({"scan", car("model1"), "-o", "scan.ply", "--points", "400000"}).exit_code, 0);
+  testing::StartedProgram program(file("."),
+                                  {BODYLINE_PROGRAM, "fit", "scan.ply", "-o", "car.toml"});
+  while (program.runs() && !program.catches(SIGINT)) ::usleep(1000);
+  program.signal(SIGINT);
+  const testing::ProgramRun run = program.wait();
+  EXPECT_EQ(run.exit_code, 128 + SIGINT);
+  EXPECT_EQ(run.err,
+            "bodyline: stopped while reading and placing what is to be fitted; nothing was "
+            "written.\n");
+  EXPECT_EQ(files(), std::vector<std::string>{"scan.ply"});
+}
+
+TEST_F(InterruptedFit, WhileThePageIsMadeHasPrintedTheTableAndKeptTheModel) {
+  ASSERT_EQ(bodyline({"scan", car("model1"), "-o", "scan.ply", "--points", "2000"}).exit_code, 0);
+  testing::StartedProgram program(file("."), {BODYLINE_PROGRAM, "fit", "scan.ply", "--pose", "none",
+                                              "-o", "car.toml", "--report", "car.html"});
+  while (program.out().find("fitted model: car.toml\n") == std::string::npos && program.runs())
+    ::usleep(1000);
+  program.signal(SIGINT);
+  const testing::ProgramRun run = program.wait();
+  EXPECT_EQ(run.exit_code, 128 + SIGINT);
+  EXPECT_THAT(run.err, ::testing::HasSubstr("stopped while making the page car.html"));
+  EXPECT_THAT(run.out, ::testing::HasSubstr("Distances in mm"));
+  EXPECT_EQ(files(), (std::vector<std::string>{"car.toml", "scan.ply"}));
 }
 
 TEST(Interrupt, ANewOneKnowsNothingOfOldRequests) {

@@ -1,6 +1,7 @@
 #include "tests/cli/program_run.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace bodyline::testing {
 namespace {
@@ -36,21 +38,63 @@ std::string path_with_program() {
 
 }  // namespace
 
-ProgramRun run_in(const fs::path& folder, const std::vector<std::string>& command) {
+struct StartedProgram::Streams {
+  TemporaryFolder folder;
+  fs::path out = folder.path() / "out", err = folder.path() / "err";
+};
+
+StartedProgram::StartedProgram(const fs::path& folder, const std::vector<std::string>& command)
+    : streams_(std::make_unique<Streams>()) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const std::string path = path_with_program();
-  const TemporaryFolder streams;
-  const fs::path out = streams.path() / "out", err = streams.path() / "err";
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error("cannot start a process");
-  if (child == 0) become(folder, arguments, path, out, err);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, text_of(out), text_of(err)};
+  child_ = ::fork();
+  if (child_ < 0) throw std::runtime_error("cannot start a process");
+  if (child_ == 0) become(folder, arguments, path, streams_->out, streams_->err);
+}
+
+StartedProgram::StartedProgram(StartedProgram&& other) noexcept
+    : streams_(std::move(other.streams_)),
+      child_(std::exchange(other.child_, -1)),
+      status_(other.status_) {}
+
+StartedProgram::~StartedProgram() {
+  if (child_ < 0) return;
+  ::kill(child_, SIGKILL);
+  reap(0);
+}
+
+bool StartedProgram::reap(int options) {
+  if (child_ >= 0 && ::waitpid(child_, &status_, options) == child_) child_ = -1;
+  return child_ < 0;
+}
+
+void StartedProgram::signal(int number) const {
+  if (child_ >= 0) ::kill(child_, number);
+}
+
+bool StartedProgram::catches(int number) const {
+  const std::string status = text_of("/proc/" + std::to_string(child_) + "/status");
+  const std::string key = "SigCgt:";
+  const std::size_t at = status.find(key);
+  if (child_ < 0 || at == std::string::npos) return false;
+  return (std::stoull(status.substr(at + key.size()), nullptr, 16) >> (number - 1)) & 1U;
+}
+
+bool StartedProgram::runs() { return !reap(WNOHANG); }
+
+std::string StartedProgram::out() const { return text_of(streams_->out); }
+
+ProgramRun StartedProgram::wait() {
+  reap(0);
+  const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+  return {code, text_of(streams_->out), text_of(streams_->err)};
+}
+
+ProgramRun run_in(const fs::path& folder, const std::vector<std::string>& command) {
+  return StartedProgram(folder, command).wait();
 }
 
 std::string text_of(const fs::path& path) {

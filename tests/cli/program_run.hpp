@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -18,6 +19,25 @@ struct ProgramRun {
 
 /// Runs a program with arguments in a folder; the folder of `bodyline` comes first on its PATH.
 ProgramRun run_in(const std::filesystem::path& folder, const std::vector<std::string>& command);
+
+/// A program that runs beside the test, started as by run_in; ended and awaited with the object.
+class StartedProgram {
+ public:
+  StartedProgram(const std::filesystem::path& folder, const std::vector<std::string>& command);
+  ~StartedProgram();
+  StartedProgram(StartedProgram&& other) noexcept;
+  void signal(int number) const;
+  bool catches(int number) const;  ///< whether it has a handler for a signal (Linux)
+  bool runs();                     ///< whether it has not ended yet
+  std::string out() const;         ///< standard output so far
+  ProgramRun wait();
+
+ private:
+  bool reap(int options);
+  struct Streams;
+  std::unique_ptr<Streams> streams_;
+  int child_ = -1, status_ = 0;
+};
 
 std::string text_of(const std::filesystem::path& path);
 

@@ -72,12 +72,46 @@ TEST_F(ScanCommand, HalfOfTheCarCanBeMissing) {
 
 TEST(PoseOption, IsReadBackFromItsText) {
   for (const std::string text :
-       {"0,0,0,0,0,0,1", "10,20,30,-4,5.5,6e3,25.4", "-170,-80,5,1,2,3,1000"}) {
+       {"0,0,0,0,0,0,1", "10,20,30,-4,5.5,6e3,25.4", "-170,-80,5,1,2,3,1000",
+        "170,110,-160,1,2,3,1", "30,90,20,0,0,0,1", "30,-90,20,0,0,0,1"}) {
     const model::Pose pose = cli::pose_from_text(text);
     const model::Pose again = cli::pose_from_text(cli::pose_text(pose));
     EXPECT_TRUE(again.rotation.isApprox(pose.rotation, 1e-12)) << text;
     EXPECT_TRUE(again.translation.isApprox(pose.translation, 1e-12) || pose.translation.isZero());
     EXPECT_EQ(again.scale, pose.scale);
+  }
+}
+
+TEST(PoseOption, OfASmallTurnIsSmall) {
+  EXPECT_EQ(cli::pose_text(cli::pose_from_text("0,0,-0.5,1,2,3,1")), "0,0,-0.5,1,2,3,1");
+}
+
+TEST(PoseOption, IsRefusedBeyondWhatAPoseCanBe) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      cli::pose_from_text(text);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("1e300,0,0,0,0,0,1"),
+            "an angle, in degrees, of a pose is from -360 to 360, not 1e+300");
+  EXPECT_EQ(refusal("0,0,0,0,-1e300,0,1"),
+            "a move, in mm, of a pose is from -1e+12 to 1e+12, not -1e+300");
+  for (const std::string scale : {"0", "-1", "1e300", "1e-300"})
+    EXPECT_NE(refusal("0,0,0,0,0,0," + scale).find("from 1e-06 to 1e+06"), std::string::npos);
+  EXPECT_EQ(refusal("360,-360,0,5e9,0,0,1000"), "");
+}
+
+TEST(MovedFrameWords, TellAShiftOfAScanThatLayNearlyRight) {
+  const std::string near = cli::moved_frame_words(cli::pose_from_text("0,0,0,-131.25,0,8.5,1"));
+  EXPECT_NE(near.find("moved by -131.2, 0.0, 8.5 mm"), std::string::npos) << near;
+  EXPECT_NE(near.find("--pose 0,0,0,-131.25,0,8.5,1 does so again, --pose none"), near.npos);
+  for (const char* far : {"0,0,0,5,0,0,1000", "0,0,90,5,0,0,1", "0,0,0,5000,0,0,1"}) {
+    const std::string words = cli::moved_frame_words(cli::pose_from_text(far));
+    EXPECT_NE(words.find(std::string("--pose ") + far + " takes"), words.npos) << words;
+    EXPECT_EQ(words.find("nearly"), words.npos);
   }
 }
 

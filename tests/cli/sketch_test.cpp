@@ -218,6 +218,40 @@ TEST_F(SketchCommand, GivesCurvesTheDegreeThatIsAskedFor) {
   for (const auto& [curve, degree] : found) EXPECT_EQ(degree, 5) << curve;
 }
 
+TEST_F(SketchCommand, TakesDegreesFromTheNamesInTheDrawing) {
+  ASSERT_EQ(bodyline({"sketch", "--template", car("model1"), "-o", "views.svg"}).exit_code, 0);
+  std::string drawing = text("views.svg");
+  const auto rename = [&](const std::string& name, const std::string& other) {
+    const std::string label = "inkscape:label=\"";
+    const std::size_t at = drawing.find(label + name + "\"");
+    ASSERT_NE(at, drawing.npos) << name;
+    drawing.replace(at, label.size() + name.size(), label + other);
+  };
+  rename("roof__side_window [degree 5]", "roof__side_window [degree 6]");
+  rename("grille_bottom", "grille_bottom [degree 4]-2");
+  write("drawn.svg", drawing);
+  const auto degrees = [&](std::vector<std::string> options) {
+    std::vector<std::string> command{"sketch",   "drawn.svg", "-o",
+                                     "car.toml", "--json",    "--overwrite"};
+    command.insert(command.end(), options.begin(), options.end());
+    std::map<std::string, int> found;
+    const auto report = json(command);
+    EXPECT_TRUE(report.at("missing").empty());
+    for (const auto& curve : report.at("curves")) found[curve.at("curve")] = curve.at("degree");
+    return found;
+  };
+  auto found = degrees({});
+  EXPECT_EQ(found.at("roof__side_window"), 6);
+  EXPECT_EQ(found.at("door_bottom"), 6);  // opposite to it
+  EXPECT_EQ(found.at("grille_bottom"), 4);
+  EXPECT_EQ(found.at("rear_arch_rear"), 3);
+  found = degrees({"--degree", "door_bottom=7"});  // the command line counts before the drawing
+  EXPECT_EQ(found.at("roof__side_window"), 7);
+  EXPECT_EQ(found.at("grille_bottom"), 4);
+  found = degrees({"--degree", "5"});
+  for (const auto& [curve, degree] : found) EXPECT_EQ(degree, 5) << curve;
+}
+
 /// Files that cannot be used, and words of the sentence.
 struct Refusal {
   std::string name, svg, toml;
@@ -289,6 +323,17 @@ const std::vector<Refusal> refusals{
      "",
      {"--degree", "door_botom=4"},
      "no curve is named 'door_botom'; the nearest name is 'door_bottom'"},
+    {"ADrawnDegreeTooHigh",
+     "<g id=\"side\"><path inkscape:label=\"door_bottom [degree 12]\" d=\"M 0,0 L 500,90\"/></g>",
+     side_view + "scale = 5.0\n",
+     {},
+     "the name 'door_bottom [degree 12]' needs a degree from 2 to 9 in its brackets"},
+    {"TwoDrawnDegrees",
+     "<g id=\"side\"><path inkscape:label=\"door_bottom [degree 4]\" d=\"M 0,0 L 500,90\"/>"
+     "<g inkscape:label=\"door_bottom [degree 5]\"><path d=\"M 0,0 L 500,90\"/></g></g>",
+     side_view + "scale = 5.0\n",
+     {},
+     "the curve 'door_bottom' is drawn with the degrees 4 and 5"},
     {"NoDegree", side_layer, "", {"--degree", "3.5"}, "is not a whole number from 2 to 9"},
     {"NoTolerance", side_layer, "", {"--tolerance", "0"}, "is not a number from 0.001"},
     {"SlantedAxes",

@@ -36,7 +36,7 @@ StoreReader measured(const Folder& folder, int count, const std::string& rest = 
   return StoreReader(path);
 }
 
-std::vector<explore::BrowseObjective> both_metrics(const StoreReader& store) {
+std::vector<explore::StoreObjective> both_metrics(const StoreReader& store) {
   return explore::browse_objectives(store, {"bending"}, {"height"});
 }
 

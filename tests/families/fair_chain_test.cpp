@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/chain_variables.hpp"
 #include "model/join_measure.hpp"
 #include "optimize/check_gradient.hpp"
 #include "sample_patches.hpp"
@@ -65,7 +66,7 @@ TEST_P(FairChain, ConvergesImprovesAndKeepsEveryJoin) {
   EXPECT_TRUE(result.status == optimize::Status::converged ||
               result.status == optimize::Status::small_improvement)
       << optimize::status_words(result.status);
-  EXPECT_LT(result.end_bending, 0.9 * result.start_bending);
+  EXPECT_LT(result.end_measure, 0.9 * result.start_measure);
   for (std::size_t k = 0; k < chain.joins.size(); ++k) {
     const model::JoinMeasure measure = model::measure_join(
         result.chain.patches[k], chain.joins[k].direction, result.chain.patches[k + 1]);

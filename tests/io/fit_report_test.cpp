@@ -37,9 +37,9 @@ io::FitReport small_fit() {
   report.field.faces = {{"hood", 2, {1.0, -2.0, std::nan(""), 4.0}}};
   report.field.values = {1.0, -2.0, 4.0};
   report.distances = {1.0625, 7.375, 31.5, 2.5};
-  report.faces = {{"hood", 3, 0.75, 0.5, {1.0625, 3.75, 4.0, 2.5}},
-                  {"roof", 0, 0.0, 0.0, {}},
-                  {"door", 3, 1.0, -0.5, {2.125, 7.375, 31.5, 3.5}}};
+  report.faces = {{"hood", 3, 0.75, {1.0625, 3.75, 4.0, 2.5}},
+                  {"roof", 0, 0.0, {}},
+                  {"door", 3, 1.0, {2.125, 7.375, 31.5, 3.5}}};
   report.unseen_patches = {"roof"};
   report.history = {{"warp", 80.0, 0.5}, {"warp", 20.0, 1.0}, {"body", 2.0, 2.0}};
   report.points = {{{1500.0, 0.0, 900.0}, 1.0}, {{1600.0, 0.0, 900.0}, -2.0}};
@@ -70,6 +70,14 @@ TEST_F(FitReport, ListsTheWorstFaceFirst) {
 
 TEST_F(FitReport, NamesWhatTheScanHardlyShows) {
   EXPECT_THAT(visible_text(page()), HasSubstr("Hardly seen by the scan: roof."));
+}
+
+TEST_F(FitReport, WarningsStandAtTheTop) {
+  io::FitReport report = small_fit();
+  report.warnings = {"The rear < is not in the scan."};
+  const std::string html = io::fit_report_page(report, small_pictures);
+  const std::size_t at = html.find("<p class=\"warning\">The rear &lt; is not in the scan.</p>");
+  EXPECT_LT(at, html.find("class=\"tiles\""));
 }
 
 TEST_F(FitReport, HasFiveMapsAndThreePairsOfPictures) {
@@ -118,7 +126,6 @@ TEST_F(FitReport, NumbersThatDoNotExistAreDashes) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   io::FitReport report = small_fit();
   report.distances = {nan, HUGE_VAL, nan, nan};
-  report.faces[0].mean = nan;
   report.faces[0].distances = {nan, nan, nan, nan};
   report.field.values.push_back(nan);
   report.history[1].distance = nan;

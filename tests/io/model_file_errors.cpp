@@ -4,28 +4,11 @@
 #include <algorithm>
 
 #include "io/read_model.hpp"
+#include "tests/io/bad_model_file.hpp"
 #include "tests/io/model_file_support.hpp"
 
 namespace bodyline {
 namespace {
-
-/// One mistake in the file of model 1: the text `right`, which the file holds after `after`,
-/// becomes `wrong`.
-struct Mistake {
-  std::string name;
-  std::string after;
-  std::string right;
-  std::string wrong;
-  std::string key;                 ///< of the error
-  std::vector<std::string> words;  ///< in the sentence: the value and what is allowed
-  int lines_down = 0;              ///< from the start of `wrong` to the line of the error
-  std::string at = "";             ///< or: the text on the line of the error
-};
-
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
-
-const std::string hood = "[patches.hood]\n";
-const std::string hood_joint = "[joints.hood__windshield]\n";
 
 std::vector<Mistake> toml_mistakes() {
   return {
@@ -315,186 +298,6 @@ std::vector<Mistake> name_mistakes() {
   };
 }
 
-std::vector<Mistake> body_mistakes() {
-  return {
-      {"cut_order",
-       hood,
-       "cut.u = [0.03, 0.98]",
-       "cut.u = [0.98, 0.03]",
-       "patches.hood.cut.u",
-       {"0.98, 0.03", "lower < upper"}},
-      {"cut_below_zero",
-       hood,
-       "cut.u = [0.03, 0.98]",
-       "cut.u = [-0.03, 0.98]",
-       "patches.hood.cut.u",
-       {"-0.03", "0 <="}},
-      {"cut_missing_at_joint",
-       hood,
-       "cut.u = [0.03, 0.98]",
-       "cut.u = [0, 0.98]",
-       "patches.hood.cut.u",
-       {"joint"}},
-      {"cut_at_free_edge",
-       "[patches.grille]\n",
-       "cut.u = [0, 0.95]",
-       "cut.u = [0.1, 0.95]",
-       "patches.grille.cut.u",
-       {"0.1"}},
-      {"cut_not_symmetric",
-       hood,
-       "cut.v = [0.02, 0.98]",
-       "cut.v = [0.02, 0.97]",
-       "patches.hood.cut.v",
-       {"0.97", "add up to 1"}},
-      {"seam_cuts_differ",
-       "[patches.front_fender_upper]\n",
-       "cut.v = [0, 0.81]",
-       "cut.v = [0, 0.72]",
-       "patches.door_upper.cut.u",
-       {"0.72", "0.81"},
-       0,
-       "cut.u = [0, 0.81]"},
-      {"shape_not_symmetric",
-       hood,
-       "shape.v = [0, 0]",
-       "shape.v = [0, 1]",
-       "patches.hood.shape.v",
-       {"symmetric"}},
-      {"shape_count",
-       hood,
-       "shape.u = [1, 1]",
-       "shape.u = [1, 1, 1]",
-       "patches.hood.shape.u",
-       {"3 values", "has 2"}},
-      {"family_count",
-       hood,
-       "shape.u = [1, 1]",
-       "basis = \"h-bezier\"\nshape.u = [1, 1]",
-       "patches.hood.shape.u",
-       {"has 2 values", "h-bezier patch of degree 3", "has 3"},
-       1},
-      {"family_degree",
-       "[patches.roof]\n",
-       "central = true",
-       "central = true\nbasis = \"bezier-like\"",
-       "patches.roof.shape.u",
-       {"has 4 values", "bezier-like patch of degree 5", "has 1"},
-       0,
-       "shape.u = [0, 0, 0, 0]"},
-      {"family_range",
-       hood,
-       "shape.u = [1, 1]\nshape.v = [0, 0]",
-       "basis = \"bezier-like\"\nshape.u = [0.5]\nshape.v = [0, 0, 1.5, 0]",
-       "patches.hood.shape.v[2]",
-       {"is 1.5", "from -1 to 1"},
-       2},
-      {"continuity_three",
-       hood_joint,
-       "fullness = [1.5, 1.5]",
-       "continuity = 3",
-       "joints.hood__windshield.continuity",
-       {"is 3", "1 or 2"}},
-      {"continuity_not_whole",
-       hood_joint,
-       "fullness = [1.5, 1.5]",
-       "continuity = 1.5",
-       "joints.hood__windshield.continuity",
-       {"a whole number", "1.5"}},
-      {"fullness_zero",
-       hood_joint,
-       "fullness = [1.5, 1.5]",
-       "fullness = [0, 1.5]",
-       "joints.hood__windshield.fullness",
-       {"is 0", "below 3"}},
-      {"fullness_three",
-       hood_joint,
-       "fullness = [1.5, 1.5]",
-       "fullness = [1.5, 3]",
-       "joints.hood__windshield.fullness",
-       {"is 3", "below 3"}},
-      {"lean_too_far",
-       "",
-       "lean.b = [0.6, 0.6]",
-       "lean.b = [0.6, 6]",
-       "joints.side_window__door_upper.lean.b",
-       {"is 6", "5"}},
-      {"lean_away_from_seam",
-       "",
-       "lean.b = [0.6, 0.6]",
-       "lean.a = [0.6, 0.6]",
-       "joints.side_window__door_upper.lean.a",
-       {"0.6", "seam"}},
-      {"open_patch_corner",
-       "[curves.grille__front_fender_lower]\n",
-       "[47, -507, 529]",
-       "[47, -507, 528]",
-       "patches.grille.v0",
-       {"close", "528", "529"},
-       0,
-       "v0 = \"grille__front_fender_lower\""},
-      {"curve_not_symmetric",
-       "[curves.grille__hood]\n",
-       "[5, 172, 567]",
-       "[5, 173, 567]",
-       "curves.grille__hood.points[1]",
-       {"mirror", "173"}},
-      {"curve_used_once",
-       "[patches.windshield]\n",
-       "u0 = \"hood__windshield\"",
-       "u0 = \"grille__hood\"",
-       "joints.hood__windshield.between",
-       {"\"windshield\"", "no side", "\"hood__windshield\""},
-       0,
-       "between = [\"hood\", \"windshield\"]"},
-      {"curve_unused",
-       "",
-       "[curves.front_arch_top]",
-       "[curves.spare]\npoints = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n\n[curves.front_arch_top]",
-       "curves.spare",
-       {"no patch"}},
-      {"degrees_differ",
-       "[curves.front_arch_top]\n",
-       "[881, -920, 578], ",
-       "",
-       "patches.front_fender_upper.v1",
-       {"3", "4"},
-       0,
-       "v1 = \"hood__front_fender_upper\""},
-      {"joint_not_named",
-       "",
-       "[joints.grille__hood]\nbetween = [\"grille\", \"hood\"]\nfullness = [1.5, 1.5]\n",
-       "",
-       "curves.grille__hood",
-       {"share this curve", "no joint"},
-       0,
-       "[curves.grille__hood]"},
-      {"corner_not_named",
-       "",
-       "[corners.a_pillar_top]\npatches = [\"windshield\", \"roof\", \"side_window\"]\napex = "
-       "\"side_window\"\n",
-       "",
-       "joints.windshield__side_window",
-       {"corner"},
-       0,
-       "[joints.windshield__side_window]"},
-      {"corner_order",
-       "[corners.grille_corner]\n",
-       "\"hood\", \"front_fender_upper\"",
-       "\"front_fender_upper\", \"hood\"",
-       "corners.grille_corner.patches",
-       {"follow each other"}},
-      {"corner_far_apart",
-       "[corners.grille_corner]\n",
-       "\"hood\"",
-       "\"tail\"",
-       "corners.grille_corner.patches",
-       {"in common"}},
-  };
-}
-
-class BadModelFile : public ::testing::TestWithParam<Mistake> {};
-
 TEST_P(BadModelFile, GetsOneSentenceWithFileLineKeyAndValue) {
   const Mistake& mistake = GetParam();
   std::string text = testing::file_text(testing::car_path("model1"));
@@ -522,12 +325,10 @@ TEST_P(BadModelFile, GetsOneSentenceWithFileLineKeyAndValue) {
   }
 }
 
-const auto name_of = [](const auto& info) { return info.param.name; };
 INSTANTIATE_TEST_SUITE_P(Toml, BadModelFile, ::testing::ValuesIn(toml_mistakes()), name_of);
 INSTANTIATE_TEST_SUITE_P(Keys, BadModelFile, ::testing::ValuesIn(key_mistakes()), name_of);
 INSTANTIATE_TEST_SUITE_P(Types, BadModelFile, ::testing::ValuesIn(type_mistakes()), name_of);
 INSTANTIATE_TEST_SUITE_P(Names, BadModelFile, ::testing::ValuesIn(name_mistakes()), name_of);
-INSTANTIATE_TEST_SUITE_P(Body, BadModelFile, ::testing::ValuesIn(body_mistakes()), name_of);
 
 TEST(ModelFile, MissingFileAndFolderAreNamed) {
   for (const std::string& path :

@@ -24,6 +24,16 @@ TEST_F(CsvDrawing, TakesAnySeparator) {
     EXPECT_EQ(read("a.txt", text).paths.at(0).segments.at(0).points[3], Vector2d(2, 3)) << text;
 }
 
+TEST_F(CsvDrawing, TakesDecimalCommas) {
+  for (const char* text : {"0,5 1,5\n2,5 3,5\n", "0,5;1,5\n2,5;3,5\n"})
+    EXPECT_EQ(read("a.csv", text).paths.at(0).segments.at(0).points[3], Vector2d(2.5, 3.5)) << text;
+  EXPECT_EQ(read("a.csv", "0,5;1\n2;3,5\n").paths.at(0).segments.at(0).points[3], Vector2d(2, 3.5));
+}
+
+TEST_F(CsvDrawing, ACommaThatMayBeDecimalOrNotIsRefused) {
+  EXPECT_THROW(read("a.csv", "100,2 7\n100,3 7\n"), io::InputError);
+}
+
 TEST_F(CsvDrawing, BeginsALineAtABlankOneAndAtAnotherName) {
   const auto drawing = read("a.csv",
                             "x,y,name\n0,0,roof\n1,0,roof\n1,1,\"the sill\"\n2,1,\"the sill\"\n"

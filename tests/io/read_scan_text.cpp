@@ -27,6 +27,22 @@ TEST_F(ReadText, SpacesTabsCommasAndSemicolonsPartNumbers) {
   }
 }
 
+TEST_F(ReadText, DecimalCommasAreReadAsSuch) {
+  for (const char separator : {' ', ';', '\t'}) {
+    std::string text;
+    for (const auto& point : some_points(120)) {
+      std::string row = words_of(point, std::string(1, separator));
+      std::replace(row.begin(), row.end(), '.', ',');
+      text += row + "\n";
+    }
+    EXPECT_EQ(read("a.csv", text).scan.points, some_points(120)) << separator;
+  }
+}
+
+TEST_F(ReadText, CommasThatLeaveTooFewNumbersAreRefused) {
+  EXPECT_NE(refusal("a.xyz", rows(120) + "1,5 2,3\n"), "");
+}
+
 TEST_F(ReadText, CommentsBlankLinesAndOneHeadingArePassedOver) {
   const std::string text = "# made by hand\n\n// X Y Z\nx,y,z\r\n" + rows(60) + "  \n# more\n";
   std::string second;

@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <iterator>
 
+#include "io/file_stream.hpp"
 #include "io/input_error.hpp"
 #include "tests/io/model_file_support.hpp"
 
@@ -79,6 +82,48 @@ TEST_F(WriteFile, NamesTheFileThatCannotBeWritten) {
       EXPECT_THAT(error.what(), ::testing::StartsWith(target.string() + ": cannot be written"));
     }
   }
+  EXPECT_EQ(files(), 0);
+}
+
+TEST_F(WriteFile, StreamsWhatIsLargerThanItsBuffer) {
+  std::string expected;
+  {
+    io::FileStream file(folder_ / "a.csv", io::Overwrite::never);
+    for (int line = 0; line < 50'000; ++line) {
+      file.stream() << line << ",x\n";
+      expected += std::to_string(line) + ",x\n";
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.csv"));
+    file.finish();
+  }
+  EXPECT_EQ(testing::file_text(folder_ / "a.csv"), expected);
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WriteFile, LeavesNothingOfAStreamThatIsNotFinished) {
+  io::write_file(folder_ / "a.csv", "old");
+  { io::FileStream(folder_ / "a.csv", io::Overwrite::allowed).stream() << "new"; }
+  EXPECT_EQ(testing::file_text(folder_ / "a.csv"), "old");
+  EXPECT_EQ(files(), 1);
+  EXPECT_THROW(io::FileStream(folder_ / "a.csv", io::Overwrite::never), io::InputError);
+}
+
+TEST_F(WriteFile, AFullDiskEndsAStream) {
+  // A limit for the size of a file stands for a disk that is full.
+  struct rlimit before {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  struct rlimit small = before;
+  small.rlim_cur = 1 << 17;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto write = [&] {
+    io::FileStream file(folder_ / "a.csv", io::Overwrite::never);
+    for (int line = 0; line < 100'000; ++line) file.stream() << line << "\n";
+    file.finish();
+  };
+  EXPECT_THROW(write(), io::InputError);
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
   EXPECT_EQ(files(), 0);
 }
 

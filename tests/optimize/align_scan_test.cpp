@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/read_model.hpp"
+#include "tests/optimize/align_support.hpp"
 #include "tests/optimize/scan_samples.hpp"
 
 namespace bodyline::optimize {
@@ -30,25 +30,6 @@ constexpr double same_car_degrees = 1.5;
 constexpr double same_car_shift = 30.0;  // mm
 // For another car: the fit deforms the model from there.
 constexpr double other_car_degrees = 5.0;
-constexpr int sample_points = 20000;
-
-const std::array<double, 5> unit_mm{1.0, 10.0, 25.4, 304.8, 1000.0};
-const std::array<std::string, 5> unit_names{"mm", "cm", "in", "ft", "m"};
-
-model::Model car(const std::string& name) {
-  return io::read_model(std::string(BODYLINE_SOURCE_DIR) + "/cars/" + name + ".toml");
-}
-
-// A pose with a random rotation and position, in one of the units.
-Pose random_pose(unsigned seed) {
-  SampleDraw draw(seed);
-  Pose pose;
-  pose.rotation = draw.rotation();
-  pose.translation = 5000.0 * draw.normal_vector();
-  pose.scale = unit_mm[seed % unit_mm.size()];
-  return pose;
-}
-
 Matrix3d turn_error(const AlignResult& result, const Pose& truth) {
   return result.pose.rotation * truth.rotation.transpose();
 }
@@ -67,21 +48,12 @@ double shift_off(const AlignResult& result, const Pose& truth) {
 
 void expect_same_car_found(const Scan& in_model_axes, const model::Model& start, unsigned seed) {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  const Pose truth = random_pose(seed);
+  const Pose truth = drawn_pose(seed);
   const AlignResult result = align_scan(scanned_from(in_model_axes, truth), start);
   EXPECT_LT(degrees_off(result, truth), same_car_degrees);
   EXPECT_LT(shift_off(result, truth), same_car_shift);
   EXPECT_EQ(result.unit, unit_names[seed % unit_names.size()]);
   EXPECT_NEAR(result.pose.rotation.determinant(), 1.0, 1e-9);
-}
-
-std::string refusal(const Scan& scan, const AlignOptions& options = {}) {
-  try {
-    align_scan(scan, car("template"), options);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(AlignScan, FindsAnyPoseAndUnit) {
@@ -96,7 +68,7 @@ TEST(AlignScan, FindsTheOtherModels) {
   for (const char* name : {"model1", "model2"}) {
     for (unsigned seed = 0; seed < 3; ++seed) {
       SampleDraw draw(seed);
-      const Pose truth = random_pose(seed);
+      const Pose truth = drawn_pose(seed);
       const Scan scan = sampled(car(name), sample_points, 1.0, draw);
       const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
       EXPECT_LT(degrees_off(result, truth), other_car_degrees) << name << " seed " << seed;
@@ -146,7 +118,7 @@ TEST(AlignScan, BearsAMissingSideAndNamesIt) {
       return left ? point.y() > 0 : point.y() < 0;
     });
     expect_same_car_found(scan, start, seed);
-    const Pose truth = random_pose(seed);
+    const Pose truth = drawn_pose(seed);
     EXPECT_EQ(align_scan(scanned_from(scan, truth), start).missing,
               left ? MissingSide::left : MissingSide::right);
   }
@@ -156,7 +128,7 @@ TEST(AlignScan, PutsThePlaneOfSymmetryAtZero) {
   SampleDraw draw(3);
   // Another car than the start model, so that only the scan itself can say where its plane is.
   const Scan scan = sampled(car("model1"), sample_points, 0.5, draw);
-  const Pose truth = random_pose(3);
+  const Pose truth = drawn_pose(3);
   const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
   EXPECT_EQ(result.missing, MissingSide::none);
   EXPECT_GT(result.symmetry_mm, 0.0);
@@ -190,7 +162,7 @@ Scan one_side_of_wide_car(double upto, unsigned seed) {
 TEST(AlignScan, TakesTheCutOfOneSideForTheMiddle) {
   constexpr double off = 10.0;  // mm; points end before the surface does
   for (unsigned seed = 5; seed < 8; ++seed) {
-    const Pose truth = random_pose(seed);
+    const Pose truth = drawn_pose(seed);
     const AlignResult result =
         align_scan(scanned_from(one_side_of_wide_car(0.0, seed), truth), car("template"));
     EXPECT_EQ(result.missing, MissingSide::right);
@@ -200,7 +172,7 @@ TEST(AlignScan, TakesTheCutOfOneSideForTheMiddle) {
 
 TEST(AlignScan, FindsTheMiddleOfOneSideAndABitMoreByWhereItIsLevel) {
   constexpr double off = 35.0;  // mm; the cut is 150 mm off
-  const Pose truth = random_pose(5);
+  const Pose truth = drawn_pose(5);
   const AlignResult result =
       align_scan(scanned_from(one_side_of_wide_car(150.0, 5), truth), car("template"));
   EXPECT_EQ(result.missing, MissingSide::right);
@@ -214,7 +186,7 @@ TEST(AlignScan, StandsTheCarLevel) {
   for (model::Curve& curve : other.curves)
     for (Vector3d& point : curve.points) point.z() *= point.z() > 500.0 ? 1.15 : 1.0;
   SampleDraw draw(6);
-  const Pose truth = random_pose(6);
+  const Pose truth = drawn_pose(6);
   const AlignResult result =
       align_scan(scanned_from(sampled(other, sample_points, 1.0, draw), truth), car("template"));
   EXPECT_LT(degrees_off(result, truth), off);
@@ -224,7 +196,7 @@ TEST(AlignScan, GivesTheSameBitsWithAnyNumberOfThreads) {
   SampleDraw draw(5);
   Scan scan = sampled(car("model2"), sample_points, 1.0, draw);
   add_ground(scan, draw);
-  const Scan turned = scanned_from(scan, random_pose(5));
+  const Scan turned = scanned_from(scan, drawn_pose(5));
   const model::Model start = car("template");
   const auto with = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -239,7 +211,7 @@ TEST(AlignScan, GivesTheSameBitsWithAnyNumberOfThreads) {
 TEST(AlignScan, HardlyDependsOnTheSeed) {
   SampleDraw draw(6);
   const model::Model start = car("template");
-  const Pose truth = random_pose(6);
+  const Pose truth = drawn_pose(6);
   const Scan scan = scanned_from(sampled(start, 2 * sample_points, 1.0, draw), truth);
   AlignOptions options;
   options.seed = 99;
@@ -254,7 +226,7 @@ TEST(AlignScan, FindsTheRealCars) {
     Scan scan = read_test_scan(name);
     for (unsigned seed = 0; seed < 2; ++seed) {
       if (seed == 1) scan.normals.clear();
-      const Pose truth = random_pose(seed);
+      const Pose truth = drawn_pose(seed);
       const AlignResult result = align_scan(scanned_from(scan, truth), start);
       EXPECT_LT(degrees_off(result, truth), other_car_degrees) << name << " seed " << seed;
       EXPECT_EQ(result.unit, unit_names[seed]) << name;
@@ -267,7 +239,7 @@ TEST(AlignScan, BearsAMissingRearAndNamesIt) {
   if (!have_scan("boxer")) GTEST_SKIP() << "no ../shared/scans here";
   const Scan scan =
       kept(read_test_scan("boxer"), [](const Vector3d& point) { return point.x() < 2240.0; });
-  const Pose truth = random_pose(5);
+  const Pose truth = drawn_pose(5);
   const AlignResult result = align_scan(scanned_from(scan, truth), car("template"));
   EXPECT_LT(degrees_off(result, truth), other_car_degrees);
   EXPECT_EQ(result.missing_end, MissingEnd::rear);
@@ -277,9 +249,9 @@ TEST(AlignScan, TakesAGivenPoseAsItIs) {
   SampleDraw draw(8);
   const model::Model start = car("template");
   AlignOptions options;
-  options.pose = random_pose(8);
+  options.pose = drawn_pose(8);
   options.pose->translation.x() += 40.0;
-  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), random_pose(8));
+  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), drawn_pose(8));
   const AlignResult result = align_scan(scan, start, options);
   EXPECT_EQ(result.pose.rotation, options.pose->rotation);
   EXPECT_EQ(result.pose.translation, options.pose->translation);
@@ -312,7 +284,7 @@ TEST(AlignScan, RefusesAPoseThatIsNoRotation) {
 TEST(AlignScan, TakesAGivenUnit) {
   SampleDraw draw(10);
   const model::Model start = car("template");
-  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), random_pose(1));
+  const Scan scan = scanned_from(sampled(start, sample_points, 1.0, draw), drawn_pose(1));
   AlignOptions options;
   options.unit_mm = 10.0;
   EXPECT_EQ(align_scan(scan, start, options).pose.scale, 10.0);
@@ -320,82 +292,6 @@ TEST(AlignScan, TakesAGivenUnit) {
   EXPECT_NE(refusal(scan, options).find("no car's length"), std::string::npos);
   options.unit_mm = -1.0;
   EXPECT_NE(refusal(scan, options).find("positive"), std::string::npos);
-}
-
-TEST(AlignScan, RefusesTooFewPoints) {
-  EXPECT_NE(refusal(Scan{}).find("0 usable points"), std::string::npos);
-  EXPECT_NE(refusal({{{0, 0, 0}, {1, 0, 0}}, {}}).find("2 usable points"), std::string::npos);
-  SampleDraw draw(1);
-  EXPECT_NE(refusal(sampled(car("template"), 400, 0.0, draw)).find("at least 500"),
-            std::string::npos);
-}
-
-TEST(AlignScan, RefusesPointsThatAreNotFinite) {
-  SampleDraw draw(1);
-  Scan scan = sampled(car("template"), 2000, 0.0, draw);
-  scan.points[7].y() = std::nan("");
-  EXPECT_NE(refusal(scan).find("not finite"), std::string::npos);
-}
-
-TEST(AlignScan, RefusesPointsThatCoincide) {
-  EXPECT_NE(refusal({std::vector<Vector3d>(1000, Vector3d(1, 2, 3)), {}}).find("coincide"),
-            std::string::npos);
-}
-
-TEST(AlignScan, RefusesALine) {
-  Scan scan;
-  for (int i = 0; i < 2000; ++i) scan.points.emplace_back(2.0 * i, i, 0.5 * i);
-  EXPECT_THAT(refusal(scan), HasSubstr("thin sheet"));
-}
-
-TEST(AlignScan, RefusesAPlane) {
-  SampleDraw draw(2);
-  const Scan scan = scanned_from(flat_plane(draw), random_pose(2));
-  EXPECT_NE(refusal(scan).find("flat plane"), std::string::npos);
-}
-
-TEST(AlignScan, RefusesASphere) {
-  SampleDraw draw(3);
-  EXPECT_NE(refusal(ellipsoid({2200, 2200, 2200}, draw)).find("as wide as it is long"),
-            std::string::npos);
-}
-
-TEST(AlignScan, RefusesAnEllipsoidOfACarsSize) {
-  SampleDraw draw(4);
-  const Scan scan = scanned_from(ellipsoid({2250, 900, 700}, draw), random_pose(4));
-  EXPECT_THAT(refusal(scan), HasSubstr("cannot be told from its rear"));
-}
-
-TEST(AlignScan, RefusesABoxOfACarsSize) {
-  SampleDraw draw(5);
-  EXPECT_THAT(refusal(scanned_from(box_surface({2250, 900, 700}, draw), random_pose(5))),
-              HasSubstr("does not have the shape of a car"));
-}
-
-TEST(AlignScan, RefusesABunny) {
-  const auto refused = [](const Vector3d& stretch) {
-    SampleDraw draw(6);
-    return refusal(scanned_from(bunny_like(stretch, draw), random_pose(6)));
-  };
-  EXPECT_THAT(refused({1, 1, 1}), HasSubstr("does not have the shape of a car"));
-  // Drawn out to the length, width and height of a car.
-  EXPECT_THAT(refused({1.32, 0.55, 0.41}), HasSubstr("does not have the shape of a car"));
-}
-
-TEST(AlignScan, RefusesWhatIsNotCarSizedInAnyUnit) {
-  SampleDraw draw(7);
-  Pose pose = random_pose(5);
-  pose.scale = 100.0;
-  const Scan scan = scanned_from(sampled(car("template"), sample_points, 1.0, draw), pose);
-  EXPECT_NE(refusal(scan).find("in mm, cm, m, inches or feet"), std::string::npos);
-}
-
-TEST(AlignScan, RefusesANoisyCloudWithoutASurface) {
-  SampleDraw draw(8);
-  Scan scan;
-  for (int i = 0; i < sample_points; ++i)
-    scan.points.push_back(draw.normal_vector().cwiseProduct(Vector3d(1000, 450, 350)));
-  EXPECT_THAT(refusal(scan), HasSubstr("does not have the shape of a car"));
 }
 
 }  // namespace

@@ -183,12 +183,37 @@ TEST(FitPhase, TheMisfitOfABodyIsTheSameWhenAskedAgain) {
   EXPECT_GT(misfit, 0.0);
 }
 
-TEST(DimensionTarget, RefusesBoundsBeyondAKilometre) {
-  const model::Model start = read_car("template");
-  for (const double far : {1.1e6, 1e300, std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW(dimension_target(start, {{"length", 1.0, far}}), std::invalid_argument);
-    EXPECT_THROW(dimension_target(start, {{"length", -far, 1.0}}), std::invalid_argument);
+std::string refusal(const DimensionBound& bound) {
+  try {
+    dimension_target(read_car("template"), {bound});
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
+  return "";
+}
+
+TEST(DimensionTarget, RefusesWhatNoCarHasAndNamesWhatCanBe) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : {-5.0, 0.0, 4.7, 1e9, 1e300, -HUGE_VAL, HUGE_VAL, nan}) {
+    const std::string allowed = "length is from 100 to 20000 mm, not ";
+    EXPECT_TRUE(refusal({"length", value, value}).starts_with(allowed)) << value;
+    EXPECT_NE(refusal({"length", std::min(value, 4000.0), std::max(value, 4000.0)}), "") << value;
+  }
+  EXPECT_EQ(refusal({"rake.windshield", 200.0, 200.0}),
+            "rake.windshield is from 0 to 90 degrees, not 200");
+  EXPECT_EQ(refusal({"rake.windshield", 0.0, 90.0}), "");
+  EXPECT_EQ(refusal({"front_overhang", -200.0, 900.0}), "");
+}
+
+TEST(DimensionBounds, OfOneDimensionBecomeWhatAllOfThemAllow) {
+  const auto both =
+      merged({{"length", 4000.0, 4700.0}, {"width", 1.0, 2.0}, {"length", 4600, 5000}});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].name, "length");
+  EXPECT_EQ(both[0].lower, 4600.0);
+  EXPECT_EQ(both[0].upper, 4700.0);
+  EXPECT_EQ(merged({{"length", 4600, 4600}, {"length", 4600, 4600}}).size(), 1u);
+  EXPECT_THROW(merged({{"length", 4600, 4600}, {"length", 4601, 4700}}), std::invalid_argument);
 }
 
 TEST(DimensionTarget, RefusesBoundsInTheWrongOrder) {
