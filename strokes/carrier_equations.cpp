@@ -53,17 +53,17 @@ void CarrierEquations::Stencil::add(const CarrierBasis& basis,
   }
 }
 
-CarrierEquations::CarrierEquations(SurfaceFunction base, CarrierBasis basis)
+CarrierEquations::CarrierEquations(SurfaceFunction base, CarrierBasis basis, Fair fair)
     : base_(std::move(base)),
       basis_(std::move(basis)),
       energy_(basis_.count()),
       data_(basis_.count()),
       energy_right_(MatrixX3d::Zero(basis_.count(), 3)),
       data_right_(MatrixX3d::Zero(basis_.count(), 3)) {
-  add_energy();
+  add_energy(fair);
 }
 
-void CarrierEquations::add_energy() {
+void CarrierEquations::add_energy(Fair fair) {
   const double a = squared_aspect(base_, basis_.domain), cell = 1.0 / basis_.cells;
   const Vector3d scale(a, 2.0, 1.0 / a);
   for (int i = 0; i < basis_.cells; ++i) {
@@ -79,7 +79,7 @@ void CarrierEquations::add_energy() {
         const Vector3d weight = (inside ? 1.0 : outside_share) * node_weight[in_s] *
                                 node_weight[in_t] * cell * cell * scale;
         block += bends.transpose() * weight.asDiagonal() * bends;
-        if (!inside) continue;
+        if (!inside || fair == Fair::displacement) continue;
         const PatchJet jet = base_(place);
         Matrix3d of_base;
         of_base << jet.ss.transpose(), jet.st.transpose(), jet.tt.transpose();

@@ -15,12 +15,19 @@ struct CarrierSample {
   double weight = 1.0;    ///< length of the stroke that it stands for, in the domain
 };
 
+/// What the energy of a fit is of.
+enum class Fair {
+  surface,      ///< F = B + G: the base gives way to a fairer surface
+  displacement  ///< F = G: the base is left alone where samples do not call for more
+};
+
 /// Normal equations of the displacement G of a base B over one basis: the least of
-///   sum w |B + G - P|^2 + fairness * integral of (a F_ss^2 + 2 F_st^2 + F_tt^2 / a),  F = B + G,
-/// where a is the squared ratio of the domain's extents in t and in s in space.
+///   sum w |B + G - P|^2 + fairness * integral of (a F_ss^2 + 2 F_st^2 + F_tt^2 / a),
+/// where F is B + G or G, and a is the squared ratio of the domain's extents in t and in s in
+/// space.
 class CarrierEquations {
  public:
-  CarrierEquations(SurfaceFunction base, CarrierBasis basis);
+  CarrierEquations(SurfaceFunction base, CarrierBasis basis, Fair fair = Fair::surface);
 
   /// Takes the samples in place of those before.
   void set_samples(const std::vector<CarrierSample>& samples);
@@ -39,7 +46,7 @@ class CarrierEquations {
     Eigen::MatrixXd entries;
   };
 
-  void add_energy();
+  void add_energy(Fair fair);
 
   SurfaceFunction base_;
   CarrierBasis basis_;

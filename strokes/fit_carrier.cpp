@@ -12,6 +12,9 @@ using Eigen::Vector3d;
 using Samples = std::vector<CarrierSample>;
 
 constexpr int first_cells = 8;
+// Of the displacement of a base that is kept: coarser grids swing far away from the samples for a
+// hair's breadth at them.
+constexpr int first_cells_of_kept = 32;
 constexpr int most_rounds = 3;  // of looking for feet, per grid
 // Weights of the energy. The first decides only what samples leave open: it takes less than a
 // thousandth from waves of an eighth of the domain.
@@ -65,8 +68,9 @@ void find_feet(const Carrier& carrier, Samples& samples) {
 /// A search for the carrier on one grid.
 class GridSearch {
  public:
-  GridSearch(const SurfaceFunction& base, const CarrierBasis& basis, double tolerance_mm)
-      : equations_(base, basis), tolerance_mm_(tolerance_mm) {}
+  GridSearch(const SurfaceFunction& base, const CarrierBasis& basis, const CarrierOptions& options)
+      : equations_(base, basis, options.slides ? Fair::surface : Fair::displacement),
+        tolerance_mm_(options.tolerance_mm) {}
 
   /// Solves and looks for feet in turns; leaves the samples at the feet.
   std::optional<CarrierFit> closest(Samples& samples, double fairness) {
@@ -117,8 +121,9 @@ CarrierFit fit_carrier(const SurfaceFunction& base, const Polygon& domain, Sampl
   find_feet(start, samples);
   CarrierFit best{start, first_cells, 0.0, deviation(start, samples)};
   if (!options.slides && best.deviation_mm <= options.tolerance_mm) return best;
-  for (int cells = first_cells; cells <= options.most_cells; cells *= 2) {
-    GridSearch search(drawn, {domain, options.border_order, cells}, options.tolerance_mm);
+  const int first = options.slides ? first_cells : first_cells_of_kept;
+  for (int cells = std::min(first, options.most_cells); cells <= options.most_cells; cells *= 2) {
+    GridSearch search(drawn, {domain, options.border_order, cells}, options);
     Samples moved = samples;
     const auto fit = search.closest(moved, least_fairness);
     if (!fit) continue;

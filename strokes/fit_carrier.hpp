@@ -11,7 +11,8 @@ struct CarrierOptions {
   bool fair = false;          ///< as fair as the tolerance allows, rather than as close
   int border_order = 1;       ///< 2: tangent planes along the border stay
   /// The base may slide along itself so that places get their points, and gives way to a fairer
-  /// surface; else it is left alone where samples do not call for more.
+  /// surface; else it is left alone where samples do not call for more, and the energy is that of
+  /// the displacement.
   bool slides = true;
   int most_cells = 64;  ///< of the grid, per direction
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <numbers>
 
 #include "model/random.hpp"
 #include "strokes/base_net.hpp"
@@ -212,6 +213,16 @@ TEST(CarrierEquations, WithoutSamplesFlattenTheBase) {
   }
 }
 
+TEST(CarrierEquations, FairDisplacementsWithoutSamplesVanish) {
+  const CarrierBasis basis{base_domain(4), 1, 8};
+  const Carrier bumpy = random_carrier(basis);
+  const CarrierEquations equations([&](const Vector2d& place) { return bumpy.jet(place); }, basis,
+                                   Fair::displacement);
+  const auto found = equations.solve(1.0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->jet({0.47, 0.31}).point, bumpy.jet({0.47, 0.31}).point);
+}
+
 std::vector<CarrierSample> wave_samples() {
   std::vector<CarrierSample> samples;
   for (const double t : {0.3, 0.6})
@@ -270,6 +281,27 @@ TEST(FitCarrier, LeavesABaseThatHoldsAllSamples) {
                                      {.tolerance_mm = 1.0, .border_order = 2, .slides = false});
   EXPECT_EQ(fit.fairness, 0.0);
   EXPECT_LE((fit.carrier.jet({0.31, 0.2}).point - base.jet({0.31, 0.2}).point).norm(), rounding_mm);
+}
+
+TEST(FitCarrier, KeepsABumpyBaseFarFromALiftedStroke) {
+  const Carrier base = random_carrier({base_domain(4), 2, 8});
+  const SurfaceFunction surface = [&](const Vector2d& place) { return base.jet(place); };
+  constexpr double lift_mm = 8.0, tolerance_mm = 1.0, far_mm = 0.25 * tolerance_mm;
+  std::vector<CarrierSample> samples;
+  for (double s = 0.1; s < 0.3; s += 0.01) {
+    const double lift = std::sin(5.0 * std::numbers::pi * (s - 0.1));
+    samples.push_back(
+        {{s, 0.2}, base.jet({s, 0.2}).point + lift_mm * lift * lift * Vector3d::UnitZ(), 0.01});
+  }
+  for (const bool fair : {false, true}) {
+    const CarrierFit fit = fit_carrier(
+        surface, base_domain(4), samples,
+        {.tolerance_mm = tolerance_mm, .fair = fair, .border_order = 2, .slides = false});
+    EXPECT_LE(fit.deviation_mm, tolerance_mm);
+    EXPECT_GT(fit.fairness, 0.0);
+    for (const Vector2d& place : {Vector2d(0.8, 0.5), Vector2d(0.6, 0.7), Vector2d(0.5, 0.85)})
+      EXPECT_LE((fit.carrier.jet(place).point - base.jet(place).point).norm(), far_mm) << fair;
+  }
 }
 
 InnerSpline::Node wave(double s, double t) {

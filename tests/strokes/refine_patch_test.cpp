@@ -136,6 +136,24 @@ TEST_F(RefinePatch, StrokesOnThePatchLeaveItsShape) {
                 0.1 * tolerance_mm);
 }
 
+TEST_F(RefinePatch, TheEffectOfAStrokeFadesFarFromIt) {
+  // A bump in one corner of the hood; a clamped plate hardly moves at the opposite one.
+  const model::Stroke bump{"bump", test::sampled(30, [&](double t) {
+                             const double s = std::sin(std::numbers::pi * t);
+                             const Vector3d point = on("hood", 0.1 + 0.25 * t, 0.2);
+                             return Vector3d(point + 8.0 * s * s * Vector3d::UnitZ());
+                           })};
+  constexpr double far_part = 0.25;  // of the tolerance
+  const SurfaceBuild build = refined("hood", {bump});
+  ASSERT_EQ(build.outcomes[0].rejection, Rejection::none);
+  ASSERT_GT(build.smooth->fairness, 0.0) << "the base alone does not hold the stroke";
+  for (const double u : {0.7, 0.8, 0.9})
+    for (const double v : {0.6, 0.75, 0.9})
+      EXPECT_LE(build.surface.index.foot_point(build.surface.net, on("hood", u, v))->distance,
+                far_part * tolerance_mm)
+          << u << " " << v;
+}
+
 TEST_F(RefinePatch, StrokesElsewhereAreRejected) {
   const SurfaceBuild build = refined("hood", {ridge("roof", 0.5, 0.0)});
   EXPECT_EQ(build.outcomes[0].rejection, Rejection::end_outside);
