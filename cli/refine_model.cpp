@@ -1,12 +1,16 @@
 #include "cli/refine_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "io/body_net.hpp"
 #include "model/build.hpp"
+#include "strokes/insert_strokes.hpp"
 #include "strokes/refined_body.hpp"
+#include "strokes/symmetric_strokes.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -19,6 +23,11 @@ int find_face(const model::FaceNet& net, const std::string& name) {
 
 const model::Surface& find_patch(const std::vector<model::Surface>& faces,
                                  const std::string& name) {
+  constexpr std::string_view image = ".right";
+  if (name.ends_with(image))
+    throw std::invalid_argument("'" + name + "' is a mirror image: refine '" +
+                                name.substr(0, name.size() - image.size()) +
+                                "' on the left, and both halves are refined alike");
   std::string known;
   for (const model::Surface& face : faces) {
     if (face.kind != model::FaceKind::patch) continue;
@@ -69,23 +78,37 @@ std::set<int> faces_called(const model::FaceNet& net, const std::string& name) {
   return faces;
 }
 
+// A patch on the middle is its own mirror image, and stays so.
+std::vector<model::Stroke> with_images(const std::vector<model::Stroke>& strokes,
+                                       const model::Surface& face,
+                                       const strokes::BuildOptions& options) {
+  return strokes::symmetric_strokes(
+      strokes, options.threshold_mm.value_or(strokes::usual_threshold({face.net})));
+}
+
 }  // namespace
 
 RefinedModel refine_model(const model::Model& model, const std::string& patch,
                           const std::vector<model::Stroke>& strokes,
                           const strokes::BuildOptions& options) {
   const std::vector<model::Surface> faces = model::build(model, model::Stage::body);
-  RefinedModel refined{strokes::refine_patch(find_patch(faces, patch), strokes, options),
-                       io::body_net(faces, model.name),
-                       {},
-                       0.0,
-                       0.0};
+  const model::Surface& face = find_patch(faces, patch);
+  const model::FaceNet body = io::body_net(faces, model.name);
+  const int image = find_face(body, patch + ".right");
+  RefinedModel refined{
+      strokes::refine_patch(face, image >= 0 ? strokes : with_images(strokes, face, options),
+                            options),
+      body,
+      {},
+      0.0,
+      0.0};
   const strokes::Net& net = refined.build.surface.net;
   refined.border_before_deg =
       border_angle(model::check_face_net(refined.net), faces_called(refined.net, patch));
   refined.net = strokes::refined_body(refined.net, find_face(refined.net, patch), net);
-  if (const int image = find_face(refined.net, patch + ".right"); image >= 0)
-    refined.net = strokes::refined_mirror_image(refined.net, image, net);
+  if (image >= 0)
+    refined.net =
+        strokes::refined_mirror_image(refined.net, find_face(refined.net, patch + ".right"), net);
   refined.check = model::check_face_net(refined.net);
   const std::set<int> added = faces_called(refined.net, patch);
   refined.border_deg = border_angle(refined.check, added);

@@ -10,7 +10,8 @@
 
 namespace bodyline::cli {
 
-/// A body with one of its patches refined by strokes, and its mirror image with it.
+/// A body with one of its patches refined by strokes, and its mirror image with it; it stays
+/// symmetric unless a stroke crosses the middle and is not symmetric itself.
 struct RefinedModel {
   strokes::SurfaceBuild build;
   model::FaceNet net;              ///< the whole body
@@ -19,8 +20,9 @@ struct RefinedModel {
   double border_before_deg = 0.0;  ///< ... and between the patch and those before
 };
 
-/// Refines the kept patch `patch` of a model's body. Throws std::invalid_argument when there is no
-/// such patch, and as strokes::refine_patch.
+/// Refines the kept patch `patch` of a model's body, left or central; a central one by the strokes
+/// with their mirror images (strokes::symmetric_strokes). Throws std::invalid_argument when there
+/// is no such patch, for one of the right half, and as strokes::refine_patch.
 RefinedModel refine_model(const model::Model& model, const std::string& patch,
                           const std::vector<model::Stroke>& strokes,
                           const strokes::BuildOptions& options);

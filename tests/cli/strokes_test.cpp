@@ -126,7 +126,9 @@ TEST_F(StrokesCommand, RefinesAPatchOfABody) {
   EXPECT_LE(report["refined"]["border_before_deg"], allowed_deg);
   EXPECT_LE(report["refined"]["border_deg"], allowed_deg);
   EXPECT_EQ(report["inside"][0]["rejection"], nullptr);
-  EXPECT_EQ(report["faces"], 77 + 1) << "the hood is two patches now";
+  ASSERT_EQ(report["inside"].size(), 2) << "the hood lies on the middle: an image joins the stroke";
+  EXPECT_EQ(report["inside"][1]["rejection"], nullptr);
+  EXPECT_EQ(report["faces"], 77 + 2) << "the hood is three patches now";
   EXPECT_THAT(text("a.step"), HasSubstr("'hood 2'"));
   EXPECT_THAT(text("a.step"), HasSubstr("'roof'"));
 }
@@ -169,6 +171,9 @@ const std::vector<Refusal> refusals{
     {"UnknownPatch",
      {"hood.csv", "-o", "a.stl", "--refine", "CAR", "--patch", "bonnet"},
      "no patch 'bonnet'; it has"},
+    {"RightPatch",
+     {"hood.csv", "-o", "a.stl", "--refine", "CAR", "--patch", "front_fender_upper.right"},
+     "is a mirror image: refine 'front_fender_upper'"},
     {"PaperRefines",
      {"hood.csv", "-o", "a.stl", "--refine", "CAR", "--patch", "hood", "--method", "paper"},
      "cannot refine"},

@@ -12,6 +12,7 @@
 #include "model/check_face_net.hpp"
 #include "strokes/net_laws.hpp"
 #include "strokes/refined_body.hpp"
+#include "strokes/symmetric_strokes.hpp"
 #include "tests/strokes/stroke_samples.hpp"
 
 namespace bodyline::strokes {
@@ -177,6 +178,52 @@ TEST_F(RefinePatch, TheMirrorImageIsRefinedAlike) {
     EXPECT_LE(edge.deviation.normal_deviation_deg, angle_deg);
     EXPECT_LE(edge.deviation.gap_mm, gap_mm);
   }
+}
+
+TEST_F(RefinePatch, SymmetricStrokesLeaveACentralPatchSymmetric) {
+  // Patches follow the carrier, which is symmetric, within a small part of the tolerance.
+  constexpr double symmetric_mm = 0.1 * tolerance_mm;
+  const std::vector<model::Stroke> strokes{ridge("hood", 0.3, 12.0)};
+  const SurfaceBuild build = refined("hood", symmetric_strokes(strokes, 1.0));
+  ASSERT_EQ(build.outcomes.size(), 2u);
+  for (const StrokeOutcome& outcome : build.outcomes) EXPECT_EQ(outcome.rejection, Rejection::none);
+  const auto away = [](const SurfaceBuild& from, const Vector3d& point) {
+    return from.surface.index.foot_point(from.surface.net, point)->distance;
+  };
+  const SurfaceBuild alone = refined("hood", strokes);
+  double largest = 0.0, largest_alone = 0.0;
+  for (const Patch& patch : build.surface.net.patches) {
+    for (const double s : {0.1, 0.5, 0.9}) {
+      for (const double t : {0.1, 0.5, 0.9}) {
+        const Vector3d point = patch.shape->point({s, t});
+        const Vector3d image(point.x(), -point.y(), point.z());
+        largest = std::max(largest, away(build, image));
+        largest_alone = std::max(largest_alone, away(alone, image));
+      }
+    }
+  }
+  EXPECT_LE(largest, symmetric_mm);
+  EXPECT_GT(largest_alone, 10.0 * symmetric_mm) << "a stroke alone bends one half only";
+}
+
+TEST(SymmetricStrokes, AddImagesOfOneSidedStrokesOnly) {
+  const model::Stroke left{"left", {{0, 100, 0}, {50, 120, 0}, {100, 100, 5}}},
+      right{"right", {{100, -100, 5}, {50, -120, 0}, {0, -100, 0}}},
+      middle{"middle", {{0, 0.5, 0}, {100, -0.5, 0}}},
+      crossing{"crossing", {{0, 80, 0}, {100, -60, 0}}};
+  const auto names = [](const std::vector<model::Stroke>& strokes) {
+    std::vector<std::string> result;
+    for (const model::Stroke& stroke : symmetric_strokes(strokes, 1.0))
+      result.push_back(stroke.name);
+    return result;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names({left, middle, crossing}),
+            (Names{"left", "left mirrored", "middle", "crossing"}));
+  EXPECT_EQ(names({left, right}), (Names{"left", "right"})) << "drawn on both sides";
+  const auto both = symmetric_strokes({right}, 1.0);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[1].points[0], Vector3d(100, 100, 5));
 }
 
 TEST_F(RefinePatch, RefusesThePapersMethod) {
