@@ -16,6 +16,8 @@ using Json = nlohmann::ordered_json;
 using strokes::Rejection;
 using strokes::StrokeOutcome;
 
+constexpr double least_move_mm = 1e-9;  // of an end; below is rounding
+
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string plural(int count, const char* what) {
@@ -35,6 +37,8 @@ std::string outcome_text(const StrokeOutcome& outcome) {
   if (outcome.curves_moved > 0)
     text += fmt::format(", {} moved by up to {:.3g} mm",
                         plural(outcome.curves_moved, "earlier curve"), outcome.largest_move_mm);
+  if (outcome.end_move_mm >= least_move_mm)
+    text += fmt::format(", ends moved by up to {:.3g} mm", outcome.end_move_mm);
   text += fmt::format(", within {:.3g} mm", outcome.deviation_mm);
   if (outcome.gave_way_mm > 0.0)
     text += fmt::format(" after it gave way by up to {:.3g} mm", outcome.gave_way_mm);
@@ -55,15 +59,11 @@ std::string boundary_text(const StrokesReport& report) {
   return text + "\n";
 }
 
-bool is_newest(const StrokeOutcome& outcome) {
-  return outcome.rejection == Rejection::none && outcome.gave_way_mm == 0.0;
-}
-
-// Of the strokes that no later one moved.
+// Where no later stroke decides.
 double newest_deviation(const StrokesReport& report) {
   double largest = 0.0;
   for (const StrokeOutcome& outcome : report.build->outcomes)
-    if (is_newest(outcome)) largest = std::max(largest, outcome.deviation_mm);
+    largest = std::max(largest, outcome.newest_deviation_mm);
   return largest;
 }
 
@@ -116,8 +116,10 @@ Json outcome_json(const StrokeOutcome& outcome) {
   json["ends_extended"] = outcome.ends_extended;
   json["curves_moved"] = outcome.curves_moved;
   json["largest_move_mm"] = outcome.largest_move_mm;
+  json["end_move_mm"] = outcome.end_move_mm;
   json["gave_way_mm"] = outcome.gave_way_mm;
-  json["deviation_mm"] = outcome.deviation_mm;
+  json["deviation_mm"] = finite(outcome.deviation_mm);
+  json["newest_deviation_mm"] = finite(outcome.newest_deviation_mm);
   return json;
 }
 
@@ -137,9 +139,13 @@ void add_stroke_findings(StrokesReport& report) {
   if (!report.build->smooth) return;
   const double tolerance = report.build->smooth->tolerance_mm;
   for (const StrokeOutcome& outcome : report.build->outcomes)
-    if (is_newest(outcome) && !(outcome.deviation_mm <= tolerance))
+    if (!(outcome.newest_deviation_mm <= tolerance + outcome.end_move_mm))
       report.findings.push_back(fmt::format("the surface misses {} by up to {:.3g} mm.",
-                                            outcome.name, outcome.deviation_mm));
+                                            outcome.name, outcome.newest_deviation_mm));
+  const double boundary = report.build->smooth->boundary_deviation_mm;
+  if (!(boundary <= tolerance))
+    report.findings.push_back(
+        fmt::format("the surface misses its boundary's strokes by up to {:.3g} mm.", boundary));
 }
 
 std::string strokes_text(const StrokesReport& report) {
@@ -169,7 +175,7 @@ Json strokes_json(const StrokesReport& report) {
   Json json{{"method", smooth ? "smooth" : "paper"},
             {"smooth", smooth_json(report)},
             {"refined", refined_json(report)},
-            {"newest_deviation_mm", newest_deviation(report)},
+            {"newest_deviation_mm", finite(newest_deviation(report))},
             {"threshold_mm", report.build->threshold_mm},
             {"boundary",
              {{"strokes", boundary.strokes},

@@ -28,8 +28,9 @@ struct StrokesReport {
   std::optional<RefinedPatch> refined;
 };
 
-/// Adds strokes of the smooth method that the surface misses by more than the tolerance, though no
-/// later stroke moved them, to the findings.
+/// Adds to the findings of the smooth method strokes that the surface misses by more than the
+/// tolerance and what their ends were moved, where no later stroke moved them, and a boundary that
+/// misses its strokes by more than the tolerance.
 void add_stroke_findings(StrokesReport& report);
 
 /// Tables of strokes and sizes, and what is wrong.

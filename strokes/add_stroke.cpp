@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "strokes/asked_points.hpp"
 #include "strokes/coons_shape.hpp"
 #include "strokes/insert_line.hpp"
 #include "strokes/piece_line.hpp"
@@ -40,26 +41,37 @@ void insert(NetEdit& edit, PlacedStroke stroke, int number, const StrokeOptions&
   }
 }
 
+// The fitted stroke may run against the one that was read; both have the same ends.
+Points turned_like(const Points& points, const Points& fitted) {
+  if (points.front() == fitted.front()) return points;
+  return {points.rbegin(), points.rend()};
+}
+
 }  // namespace
 
 StrokeOutcome add_stroke(SurfaceModel& surface, const model::Stroke& stroke, int number,
                          const StrokeOptions& options) {
   StrokeOutcome outcome;
   outcome.name = stroke.name;
+  outcome.number = number;
   try {
     NetEdit edit(surface.net);
     const bool smooth = options.method == Method::smooth;
+    const Points points = smooth ? smooth_stroke(stroke.points, options) : stroke.points;
     const PlacedStroke placed =
-        placed_stroke(surface, smooth ? smooth_stroke(stroke.points, options) : stroke.points,
-                      options.threshold_mm, smooth ? Fade::smooth : Fade::linear);
+        placed_stroke(surface, points, options.threshold_mm, smooth ? Fade::smooth : Fade::linear);
     outcome.points_trimmed = placed.trimmed;
+    outcome.end_move_mm = placed.end_move_mm;
     outcome.drawn = placed.points;
+    outcome.asked =
+        asked_points(turned_like(stroke.points, points), placed.front_cut, placed.back_cut);
     insert(edit, placed, number, options, outcome);
     surface.index.update(surface.net, touched_patches(edit), edit.moved_edges());
     edit.commit();
   } catch (const StrokeRejected& rejected) {
     outcome = {};
     outcome.name = stroke.name;
+    outcome.number = number;
     outcome.rejection = rejected.rejection();
   }
   return outcome;

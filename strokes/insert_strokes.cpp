@@ -4,6 +4,7 @@
 #include <map>
 
 #include "strokes/add_stroke.hpp"
+#include "strokes/measure_outcome.hpp"
 
 namespace bodyline::strokes {
 namespace {
@@ -13,6 +14,13 @@ constexpr double tolerance_part = 0.2;    // of the threshold
 
 bool holds(const std::vector<int>& members, int number) {
   return std::find(members.begin(), members.end(), number) != members.end();
+}
+
+std::vector<StrokeMove> all_moves(const SurfaceBuild& build) {
+  std::vector<StrokeMove> moves;
+  for (const StrokeOutcome& outcome : build.outcomes)
+    moves.insert(moves.end(), outcome.moves.begin(), outcome.moves.end());
+  return moves;
 }
 
 }  // namespace
@@ -40,16 +48,14 @@ void insert_strokes(SurfaceBuild& build, const std::vector<model::Stroke>& strok
 }
 
 void measure_deviations(SurfaceBuild& build) {
+  const std::vector<StrokeMove> moves = all_moves(build);
   for (StrokeOutcome& outcome : build.outcomes)
-    for (const Eigen::Vector3d& point : outcome.drawn)
-      if (const auto foot = build.surface.index.foot_point(build.surface.net, point))
-        outcome.deviation_mm = std::max(outcome.deviation_mm, foot->distance);
+    measure_outcome(outcome, build.surface, moves,
+                    build.smooth ? GivingWay::nearby : GivingWay::all_along);
 }
 
 void make_smooth(SurfaceBuild& build, const SmoothBase& base, const SmoothOptions& options) {
-  std::vector<StrokeMove> moves;
-  for (const StrokeOutcome& outcome : build.outcomes)
-    moves.insert(moves.end(), outcome.moves.begin(), outcome.moves.end());
+  const std::vector<StrokeMove> moves = all_moves(build);
   SmoothSurface smooth = smooth_surface(build.surface.net, base, moves, options);
   build.surface = SurfaceModel(std::move(smooth.net));
   build.smooth = SmoothReport{options.tolerance_mm, smooth.cells, smooth.fairness, 0.0};

@@ -21,7 +21,7 @@ void insert_strokes(SurfaceBuild& build, const std::vector<model::Stroke>& strok
 /// Lays the net on its carrier and measures all strokes against it.
 void make_smooth(SurfaceBuild& build, const SmoothBase& base, const SmoothOptions& options);
 
-/// How far what was drawn lies from the surface.
+/// How far what strokes asked for lies from the surface.
 void measure_deviations(SurfaceBuild& build);
 
 }  // namespace bodyline::strokes

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "strokes/base_net.hpp"
 #include "strokes/fit_carrier.hpp"
 #include "strokes/fit_stroke.hpp"
+#include "strokes/gave_way.hpp"
 #include "strokes/smooth_stroke.hpp"
 
 namespace bodyline::strokes {
@@ -17,26 +17,8 @@ constexpr double fitted_part = 0.5, carried_part = 0.45, edge_part = 1e-2, sag_p
 constexpr int fewest_chords = 24;
 constexpr double sample_spacing = 0.01;  // of the domain
 
-/// Where strokes gave way, by stroke.
-using Moves = std::map<int, std::vector<StrokeMove>>;
-
-Moves moves_by_stroke(const std::vector<StrokeMove>& moves) {
-  Moves result;
-  for (const StrokeMove& move : moves) result[move.stroke].push_back(move);
-  return result;
-}
-
-// Where the newer stroke decides.
-bool gave_way(const Moves& moves, int stroke, const Eigen::Vector3d& point) {
-  const auto found = moves.find(stroke);
-  return found != moves.end() &&
-         std::any_of(found->second.begin(), found->second.end(), [&](const StrokeMove& move) {
-           return (point - move.point).norm() < move_spread * move.distance;
-         });
-}
-
 /// What was drawn along the edges of a net and holds.
-std::vector<CarrierSample> drawn_samples(const Net& net, const Moves& moves) {
+std::vector<CarrierSample> drawn_samples(const Net& net, const std::vector<StrokeMove>& moves) {
   std::vector<CarrierSample> samples;
   for (const Edge& edge : net.edges) {
     if (is_outer(edge) || !(edge.drawn_from < edge.drawn_to)) continue;
@@ -90,7 +72,7 @@ SmoothSurface smooth_surface(const Net& net, const SmoothBase& base,
   carrier.border_order = base.keeps_planes ? 2 : 1;
   carrier.slides = !base.keeps_planes;
   const CarrierFit fit = fit_carrier(base.surface, base_domain(base.border.curves.size()),
-                                     drawn_samples(net, moves_by_stroke(moves)), carrier);
+                                     drawn_samples(net, moves), carrier);
   return {smooth_net(net, fit.carrier, base.border, edge_part * options.tolerance_mm), fit.cells,
           fit.fairness};
 }

@@ -109,7 +109,7 @@ PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, do
     stay_at_undrawn(kept, front);
     stay_at_undrawn(backwards, back);
   }
-  PlacedStroke stroke{trimmed(kept, front, back), {}, front.has_value(), back.has_value(), 0};
+  PlacedStroke stroke{trimmed(kept, front, back), {}, front.has_value(), back.has_value()};
   if (stroke.points.size() < 2) throw StrokeRejected(Rejection::nothing_left);
   if (fade == Fade::smooth) {
     if (front) follow_end(stroke.points, move_of(kept, *front));
@@ -119,6 +119,10 @@ PlacedStroke placed_stroke(const SurfaceModel& surface, const Points& points, do
   }
   for (const auto& hit : {front, back})
     if (hit) stroke.trimmed += static_cast<int>(hit->segment) + (hit->part > 0.0 ? 1 : 0);
+  if (front) stroke.front_cut = place_of(kept, *front);
+  if (back) stroke.back_cut = place_of(backwards, *back);
+  if (front) stroke.end_move_mm = move_of(kept, *front).norm();
+  if (back) stroke.end_move_mm = std::max(stroke.end_move_mm, move_of(backwards, *back).norm());
   stroke.places.push_back(end_place(surface, front, stroke.points.front()));
   for (std::size_t k = 1; k + 1 < stroke.points.size(); ++k)
     stroke.places.push_back(foot_of(surface, stroke.points[k]).place);

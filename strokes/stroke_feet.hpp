@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "strokes/points.hpp"
 #include "strokes/pull.hpp"
 #include "strokes/surface_model.hpp"
@@ -12,6 +14,9 @@ struct PlacedStroke {
   std::vector<Eigen::Vector2d> places;  ///< of each point: its foot point, or where it is snapped
   bool front_hit = false, back_hit = false;
   int trimmed = 0;  ///< points lost at both ends
+  /// Where it is cut at the curves that it ends on, before the ends were moved onto them.
+  std::optional<Eigen::Vector3d> front_cut = {}, back_cut = {};
+  double end_move_mm = 0.0;  ///< farthest that an end was moved
 };
 
 /// Filters a stroke and finds its ends and foot points on the surface (section 3, steps 1, 2, 6).

@@ -29,6 +29,7 @@ struct StrokeOptions {
 /// What became of a stroke.
 struct StrokeOutcome {
   std::string name;
+  int number = -1;  ///< of its edges, and in moves
   Rejection rejection = Rejection::none;
   int lines = 0;  ///< straight pieces of its pre-image
   int patches_split = 0;
@@ -36,10 +37,13 @@ struct StrokeOutcome {
   double largest_move_mm = 0.0;
   int ends_extended = 0;               ///< ends, of all pieces, that lay inside a patch
   int points_trimmed = 0;              ///< beyond the curves it begins and ends on
+  double end_move_mm = 0.0;            ///< farthest that an end was moved onto one of them
   std::vector<Eigen::Vector3d> drawn;  ///< what of it is left, as it was inserted; mm
+  std::vector<Eigen::Vector3d> asked;  ///< its points as they were read, between those curves; mm
   std::vector<StrokeMove> moves;       ///< of what was drawn of earlier strokes
   double gave_way_mm = 0.0;            ///< to later strokes
-  double deviation_mm = 0.0;           ///< largest distance of `drawn` from the finished surface
+  double deviation_mm = 0.0;           ///< largest distance of `asked` from the finished surface
+  double newest_deviation_mm = 0.0;    ///< the same where it did not give way to a later stroke
 };
 
 /// A surface that grows stroke by stroke.

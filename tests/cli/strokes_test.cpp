@@ -98,6 +98,33 @@ TEST_F(StrokesCommand, ARejectedStrokeIsReportedWithItsReasonAndExitCode1) {
   EXPECT_FALSE(text("a.stl").empty()) << "the others make a surface";
 }
 
+TEST_F(StrokesCommand, AMissedStrokeIsAFindingAndExitCode1) {
+  std::string zigzag;
+  for (int k = 0; k <= 80; ++k)
+    zigzag += std::to_string(400 + 2 * k) + " 350 " + (k % 2 == 0 ? "50" : "80") + "\n";
+  write("jagged.csv", boundary + zigzag);
+  const auto run = bodyline({"strokes", "jagged.csv", "-o", "a.stl", "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  const auto report = nlohmann::json::parse(run.out);
+  EXPECT_GT(report["inside"][0]["newest_deviation_mm"], report["smooth"]["tolerance_mm"]);
+  EXPECT_THAT(report["check"]["findings"].dump(), HasSubstr("the surface misses stroke 5"));
+}
+
+TEST_F(StrokesCommand, AMissedBoundaryIsAFindingAndExitCode1) {
+  // Zigzags narrower than the shortest piece of a curve of ten metres.
+  std::string zigzag;
+  for (int k = 1; k <= 40; ++k)
+    zigzag += std::to_string(5000 - 0.5 * k) + " 7000 " + (k % 2 == 0 ? "0" : "6") + "\n";
+  write("jagged.csv", "0 0 0\n10000 0 0\n\n10000 0 0\n10000 7000 0\n\n10000 7000 0\n" + zigzag +
+                          "0 7000 0\n\n0 7000 0\n0 0 0\n");
+  const auto run = bodyline(
+      {"strokes", "jagged.csv", "-o", "a.step", "--json", "--threshold", "1", "--within", "1"});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const auto report = nlohmann::json::parse(run.out);
+  EXPECT_GT(report["smooth"]["boundary_deviation_mm"], 1.0);
+  EXPECT_THAT(report["check"]["findings"].dump(), HasSubstr("misses its boundary's strokes"));
+}
+
 TEST_F(StrokesCommand, SaysWhatItDid) {
   const auto run = bodyline({"strokes", "strokes.csv", "-o", "a.stl"});
   EXPECT_THAT(run.out, HasSubstr("method smooth; newest strokes within"));
