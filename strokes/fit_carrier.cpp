@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strokes/points.hpp"
+
 namespace bodyline::strokes {
 namespace {
 
@@ -56,7 +58,7 @@ Carrier drawn_base(const SurfaceFunction& base, const CarrierBasis& basis, const
 double deviation(const Carrier& carrier, const Samples& samples) {
   double largest = 0.0;
   for (const CarrierSample& sample : samples)
-    largest = std::max(largest, (carrier.jet(sample.place).point - sample.point).norm());
+    largest = larger((carrier.jet(sample.place).point - sample.point).norm(), largest);
   return largest;
 }
 
@@ -81,7 +83,7 @@ class GridSearch {
       if (!carrier) break;
       find_feet(*carrier, samples);
       const double away = deviation(*carrier, samples);
-      if (best && !(away < best->deviation_mm)) break;
+      if (!std::isfinite(away) || (best && !(away < best->deviation_mm))) break;
       best = CarrierFit{*carrier, carrier->basis().cells, fairness, away};
       if (away <= tolerance_mm_) break;
     }

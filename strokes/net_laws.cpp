@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strokes/points.hpp"
+
 namespace bodyline::strokes {
 namespace {
 
@@ -102,7 +104,7 @@ double largest_gap(const Net& net, int samples) {
           const Eigen::Vector3d there =
               patch.shape->point(side_parameters(patch, side, std::min(1.0, along + t * part)));
           const Eigen::Vector3d point = model::curve_point(edge.curve, use.reversed ? 1.0 - t : t);
-          largest = std::max(largest, (there - point).norm());
+          largest = larger((there - point).norm(), largest);
         }
         along += part;
       }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace bodyline::strokes {
@@ -53,6 +54,8 @@ std::vector<double> index_parameters(std::size_t count) {
     parameters[k] = static_cast<double>(k) / static_cast<double>(count - 1);
   return parameters;
 }
+
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 bool all_finite(const Points& points) {
   return std::all_of(points.begin(), points.end(), [](const auto& p) { return p.allFinite(); });

@@ -26,6 +26,9 @@ std::vector<double> chord_parameters(const Points& points);
 /// i / (n - 1).
 std::vector<double> index_parameters(std::size_t count);
 
+/// The larger of two lengths; NaN when one is, so that what cannot be measured does not pass.
+double larger(double a, double b);
+
 bool all_finite(const Points& points);
 
 /// The diagonal of the smallest upright box around the points of all polylines.

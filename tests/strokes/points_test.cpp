@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace bodyline::strokes {
 namespace {
 
@@ -42,6 +44,13 @@ TEST(ChordParameters, AreLengthsFromTheFirstPoint) {
 
 TEST(ChordParameters, AreRefusedWithoutLength) {
   EXPECT_THROW(chord_parameters(on_axis({2, 2})), std::invalid_argument);
+}
+
+TEST(Larger, KeepsWhatCannotBeMeasured) {
+  EXPECT_EQ(larger(1.0, 2.0), 2.0);
+  EXPECT_EQ(larger(2.0, 1.0), 2.0);
+  EXPECT_TRUE(std::isnan(larger(std::nan(""), 1.0)));
+  EXPECT_TRUE(std::isnan(larger(1.0, std::nan(""))));
 }
 
 }  // namespace
