@@ -1,6 +1,7 @@
 #include "strokes/refine_patch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "strokes/insert_strokes.hpp"

@@ -1,6 +1,7 @@
 #include "strokes/refined_body.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "strokes/face_net.hpp"
 
@@ -33,6 +34,10 @@ class Replacement {
  public:
   Replacement(const FaceNet& body, int face, const FaceNet& parts, std::vector<BorderPart> border)
       : net_(body), old_(body.faces[face]), border_(std::move(border)) {
+    for (const auto& side : old_.sides)
+      if (side.size() != 1)
+        throw std::invalid_argument(old_.surface.name + " cannot be refined: a side of it is " +
+                                    std::to_string(side.size()) + " edges instead of one");
     first_edge_ = static_cast<int>(net_.edges.size());
     append_vertices(parts);
     for (const model::NetEdge& edge : parts.edges)

@@ -7,6 +7,7 @@ namespace bodyline::strokes {
 
 /// The net of a body with one face replaced by the net of its refinement: faces that met the face's
 /// sides meet the outer edges of that instead. The new faces are called as the face, with a number.
+/// Throws std::invalid_argument for a face that has not exactly one edge along each side.
 model::FaceNet refined_body(const model::FaceNet& body, int face, const Net& refinement);
 
 /// The same for the mirror image of the face that was refined.

@@ -226,6 +226,15 @@ TEST(SymmetricStrokes, AddImagesOfOneSidedStrokesOnly) {
   EXPECT_EQ(both[1].points[0], Vector3d(100, 100, 5));
 }
 
+TEST_F(RefinePatch, OfABodyRefusesAFaceThatMeetsSeveralOnOneSide) {
+  const SurfaceBuild build = refined("hood", {ridge("hood", 0.35, 12.0)});
+  model::FaceNet body = body_;
+  auto& side = body.faces[index("hood")].sides[0];
+  ASSERT_EQ(side.size(), 1u);
+  side.push_back(side.front());
+  EXPECT_THROW(refined_body(body, index("hood"), build.surface.net), std::invalid_argument);
+}
+
 TEST_F(RefinePatch, RefusesThePapersMethod) {
   BuildOptions options;
   options.method = Method::paper;
