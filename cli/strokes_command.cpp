@@ -183,8 +183,8 @@ void add_strokes_command(CLI::App& program, Context& context) {
   command
       ->add_option(
           "--within", request->build.tolerance_mm,
-          "Smooth: largest distance of the newest strokes from the surface, mm; a fifth of "
-          "the threshold when left out")
+          "Smooth: largest distance of the newest strokes from the surface, mm (not how far points "
+          "move, as in fair and chain); a fifth of the threshold when left out")
       ->type_name("MM")
       ->check(positive_number());
   command
@@ -195,7 +195,10 @@ void add_strokes_command(CLI::App& program, Context& context) {
       ->check(CLI::ExistingFile);
   command->add_option("--patch", request->patch, "Patch to refine, as it is left after its cut")
       ->type_name("NAME");
-  command->add_flag("--fair", request->build.fair, "Smooth: as fair as --within allows");
+  command->add_flag(
+      "--fair", request->build.fair,
+      "Smooth: as fair as --within allows; with --refine that is the displacement, and a "
+      "patch that already holds the strokes stays as it is");
   command
       ->add_option("--tolerance", request->mesh_tolerance_mm,
                    "Largest distance of a mesh from the surface, mm")
