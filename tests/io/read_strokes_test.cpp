@@ -95,7 +95,8 @@ TEST_F(StrokeFiles, AreRefusedWithASentence) {
   EXPECT_EQ(refusal("a.csv", "7,0 0 0\n"),
             ":1: \"7,0 0 0\" has commas that may be decimal or part numbers, or are not what they "
             "are in lines before; write decimal points.");
-  EXPECT_EQ(refusal("a.csv", "s1,0 0 0\n"), ":1: \"\" is no coordinate: a point takes x, y and z.");
+  EXPECT_EQ(refusal("a.csv", "s1,0 0 0\n"),
+            ":1: \"s1\" is no coordinate: a point takes x, y and z.");
   EXPECT_EQ(refusal("a.csv", "1,2,x\n"), ":1: \"x\" is no coordinate: a point takes x, y and z.");
 }
 
