@@ -54,7 +54,8 @@ void run(Context& context, Request& request) {
       optimize::measure_deviation(model, placed.scan, placed.pose, options);
   io::FitReport report = deviation_report(model, options.stage, placed, deviation, request.report);
   if (!request.output.path.empty()) write_map(context, request, report);
-  if (request.report.wanted()) write_report(context, report, request.report);
+  if (request.report.wanted())
+    write_report_page(report_page(context, report, request.report), request.report);
   if (request.json) {
     print_json(context, {{"scan", placed.words},
                          {"pose", pose_json(placed.pose)},

@@ -115,13 +115,17 @@ void fit_and_measure(Context& context, const Request& request, FittedCar& car) {
 
 void make_report(Context& context, const Request& request, const FittedCar& car,
                  const model::Model& start) {
-  const InterruptWords words(
-      context, fmt::format("stopped while making the page {}, which was not written; the model {} "
-                           "is complete.",
-                           request.report.output.path, request.output.path));
-  context.out->flush();
-  io::FitReport report = fit_report(car, start, request.report);
-  write_report(context, report, request.report);
+  std::string page;
+  {
+    const InterruptWords words(
+        context, fmt::format("stopped while making the page {}, which was not written; the model "
+                             "{} is complete.",
+                             request.report.output.path, request.output.path));
+    context.out->flush();
+    io::FitReport report = fit_report(car, start, request.report);
+    page = report_page(context, report, request.report);
+  }
+  write_report_page(page, request.report);
   if (!request.json) *context.out << "report: " << request.report.output.path << "\n";
 }
 

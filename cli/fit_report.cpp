@@ -1,7 +1,9 @@
 #include "cli/fit_report.hpp"
 
 #include "cli/deviation_field.hpp"
+#include "cli/held_interrupt.hpp"
 #include "cli/progress.hpp"
+#include "io/write_file.hpp"
 
 namespace bodyline::cli {
 namespace {
@@ -66,11 +68,16 @@ io::FitReport fit_report(const FittedCar& car, const model::Model& start,
   return report;
 }
 
-void write_report(Context& context, io::FitReport& report, const ReportRequest& request) {
+std::string report_page(Context& context, io::FitReport& report, const ReportRequest& request) {
   const Progress progress(context, "writing " + request.output.path);
   report.command = context.command_line;
-  io::write_fit_report(report, request.output.path,
-                       request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
+  return io::fit_report_page(report, io::fit_report_pictures);
+}
+
+void write_report_page(const std::string& page, const ReportRequest& request) {
+  const HeldInterrupt whole_file;
+  io::write_file(request.output.path, page,
+                 request.output.overwrite ? io::Overwrite::allowed : io::Overwrite::never);
 }
 
 }  // namespace bodyline::cli

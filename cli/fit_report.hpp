@@ -22,7 +22,10 @@ io::FitReport deviation_report(const model::Model& model, model::Stage stage,
 io::FitReport fit_report(const FittedCar& car, const model::Model& start,
                          const ReportRequest& request);
 
-/// Writes the page, with progress.
-void write_report(Context& context, io::FitReport& report, const ReportRequest& request);
+/// The page, with progress.
+std::string report_page(Context& context, io::FitReport& report, const ReportRequest& request);
+
+/// Writes it, all or nothing also where the user stops the program.
+void write_report_page(const std::string& page, const ReportRequest& request);
 
 }  // namespace bodyline::cli

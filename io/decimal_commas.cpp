@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/scan_words.hpp"
+
 namespace bodyline::io {
 namespace {
 
@@ -24,32 +26,64 @@ bool begins_a_number(std::string_view part) {
   return !part.empty() && is_digit(part.front());
 }
 
-bool comma_is_decimal(std::string_view part, std::size_t comma) {
+bool comma_may_be_decimal(std::string_view part, std::size_t comma) {
   return comma > 0 && comma + 1 < part.size() && is_digit(part[comma - 1]) &&
-         is_digit(part[comma + 1]) && part.find(',', comma + 1) == part.npos;
-}
-
-bool has_decimal_commas(std::string_view line) {
-  int numbers = 0;
-  bool any = false;
-  while (true) {
-    const std::string_view part = next_part(line);
-    if (part.empty()) return any && numbers > 1;
-    numbers += begins_a_number(part);
-    const std::size_t comma = part.find(',');
-    if (comma == part.npos) continue;
-    if (!comma_is_decimal(part, comma)) return false;
-    any = true;
-  }
+         is_digit(part[comma + 1]) && part.find(',', comma + 1) == part.npos &&
+         part.find('.') == part.npos;
 }
 
 }  // namespace
 
-std::string_view with_decimal_points(std::string_view line, std::string& buffer) {
-  if (line.find(',') == line.npos || !has_decimal_commas(line)) return line;
-  buffer.assign(line);
-  std::replace(buffer.begin(), buffer.end(), ',', '.');
-  return buffer;
+DecimalCommas::Verdict DecimalCommas::verdict_on(std::string_view line) const {
+  int parts = 0, commas = 0;
+  bool points = false, first_is_name = false;
+  const bool semicolons = line.find(';') != line.npos;
+  for (std::string_view part = next_part(line); !part.empty(); part = next_part(line)) {
+    if (!begins_a_number(part)) {
+      first_is_name |= parts == 0;
+      continue;
+    }
+    ++parts;
+    points |= part.find('.') != part.npos;
+    const std::size_t comma = part.find(',');
+    if (comma == part.npos) continue;
+    if (!comma_may_be_decimal(part, comma)) return {Use::parting};
+    ++commas;
+  }
+  if (commas == 0 || parts + commas < numbers_.least) return {};  // no point, however it is read
+  if (parts == 1) return {first_is_name ? Use::unknown : Use::parting};
+  const bool enough = parts >= numbers_.least;
+  const bool other_reading = numbers_.numbers_may_be_names && commas == 1 && !semicolons;
+  return {Use::decimal, enough && !other_reading && !points};
+}
+
+std::string_view DecimalCommas::replaced(std::string_view line) {
+  buffer_.assign(line);
+  std::string_view rest = line;
+  for (std::string_view part = next_part(rest); !part.empty(); part = next_part(rest)) {
+    const std::size_t comma = part.find(',');
+    if (comma == part.npos || !begins_a_number(part)) continue;
+    buffer_[std::size_t(part.data() - line.data()) + comma] = '.';
+  }
+  return buffer_;
+}
+
+std::optional<std::string_view> DecimalCommas::with_points(std::string_view line) {
+  if (line.find(',') == line.npos) return line;
+  const Verdict verdict = verdict_on(line);
+  if (verdict.use == Use::unknown) return line;
+  if (verdict.clear) {
+    if (use_ != Use::unknown && use_ != verdict.use) return {};
+    use_ = verdict.use;
+  }
+  if (use_ == Use::unknown) return {};
+  return use_ == Use::decimal ? replaced(line) : line;
+}
+
+std::string unclear_commas(std::string_view line) {
+  return shown_word(line) +
+         " has commas that may be decimal or part numbers, or are not what they are in lines "
+         "before; write decimal points";
 }
 
 }  // namespace bodyline::io

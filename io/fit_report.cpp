@@ -4,11 +4,6 @@
 #include "io/report_parts.hpp"
 
 namespace bodyline::io {
-namespace {
-
-constexpr PictureSize picture_size{960, 540};  // eleven pictures: 4 MB
-
-}  // namespace
 
 std::string fit_report_page(const FitReport& report, const PictureSize& pictures) {
   std::string html = fit_verdict_section(report);
@@ -26,7 +21,7 @@ std::string fit_report_page(const FitReport& report, const PictureSize& pictures
 
 void write_fit_report(const FitReport& report, const std::filesystem::path& path,
                       Overwrite overwrite) {
-  write_file(path, fit_report_page(report, picture_size), overwrite);
+  write_file(path, fit_report_page(report, fit_report_pictures), overwrite);
 }
 
 }  // namespace bodyline::io

@@ -81,6 +81,9 @@ struct FitReport {
 void write_fit_report(const FitReport& report, const std::filesystem::path& path,
                       Overwrite overwrite = Overwrite::never);
 
+/// Of the page that is written: eleven pictures, 4 MB.
+inline constexpr PictureSize fit_report_pictures{960, 540};
+
 /// The page, with pictures of a given size. The same report gives the same text.
 std::string fit_report_page(const FitReport& report, const PictureSize& pictures);
 

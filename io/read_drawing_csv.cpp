@@ -1,6 +1,7 @@
 #include "io/read_drawing_csv.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "io/decimal_commas.hpp"
@@ -35,8 +36,9 @@ class PolylineReader {
       return;
     }
     Vector2d point;
-    std::string_view rest = with_decimal_points(line, buffer_);
-    if (rest.data() == buffer_.data()) refuse_unclear(line);
+    const std::optional<std::string_view> clear = commas_.with_points(line);
+    if (!clear) fail(unclear_commas(trimmed(line)));
+    std::string_view rest = *clear;
     if (!number_from_word(next_word(rest), point.x()) ||
         !number_from_word(next_word(rest), point.y()))
       return pass_heading(line);
@@ -53,13 +55,6 @@ class PolylineReader {
  private:
   [[noreturn]] void fail(const std::string& sentence) const {
     throw InputError(file_, line_, "", sentence + ".");
-  }
-
-  // "100,2 7" may be two numbers, or two and a name.
-  void refuse_unclear(std::string_view line) const {
-    if (line.find(';') == line.npos && line.find(',') == line.rfind(','))
-      fail(shown_word(trimmed(line)) +
-           " may have a decimal comma, or a comma that parts two numbers; write decimal points");
   }
 
   void pass_heading(std::string_view line) {
@@ -96,7 +91,7 @@ class PolylineReader {
   model::DrawnPath path_;
   Vector2d at_{0.0, 0.0};
   std::size_t count_ = 0, total_ = 0;  // points of this path, of the file
-  std::string buffer_;                 // of a line with its decimal commas replaced
+  DecimalCommas commas_{{2, true}};
   int line_ = 0, first_line_ = 0;
   bool heading_ = false;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "io/decimal_commas.hpp"
@@ -60,12 +61,14 @@ std::vector<model::HardPoint> read_hard_points(const std::filesystem::path& path
   ScanInput input(path);
   std::vector<model::HardPoint> points;
   std::string_view line;
-  std::string buffer;
+  DecimalCommas commas({3, false});
   for (bool first = true; input.filled_line(line);) {
     std::string_view rest = line;
     if (next_word(rest).starts_with('#')) continue;
     if (std::exchange(first, false) && is_heading(line)) continue;
-    points.push_back(parse(input, with_decimal_points(line, buffer)));
+    const std::optional<std::string_view> clear = commas.with_points(line);
+    if (!clear) input.fail_line(unclear_commas(line) + ".");
+    points.push_back(parse(input, *clear));
     if (points.size() > most_points)
       input.fail(fmt::format("has over {} hard points.", most_points));
   }

@@ -1,5 +1,6 @@
 #include "io/read_polylines.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,7 +29,9 @@ class PolylineReader {
       return;
     }
     Vector3d point;
-    std::string_view words = with_decimal_points(rest, buffer_);
+    const std::optional<std::string_view> clear = commas_.with_points(rest);
+    if (!clear) fail(unclear_commas(rest) + ".");
+    std::string_view words = *clear;
     for (int axis = 0; axis < 3; ++axis) {
       if (!number_from_word(next_word(words), point[axis])) return pass_heading(rest);
     }
@@ -66,7 +69,7 @@ class PolylineReader {
   std::vector<std::vector<Vector3d>> polylines_;
   std::vector<Vector3d> polyline_;
   std::size_t count_ = 0;
-  std::string buffer_;  // of a line with its decimal commas replaced
+  DecimalCommas commas_{{3, false}};
   int line_ = 0;
   bool heading_ = false;
 };

@@ -60,7 +60,9 @@ class TextRows {
     std::string_view line;
     while (input_.line(line)) {
       if (is_comment(line)) continue;
-      row = row_from_line(with_decimal_points(line, buffer_));
+      const std::optional<std::string_view> clear = commas_.with_points(line);
+      if (!clear) input_.fail_line(unclear_commas(line) + ".");
+      row = row_from_line(*clear);
       if (row.count >= 3) {
         ++points_;
         return true;
@@ -93,7 +95,7 @@ class TextRows {
   ScanInput input_;
   bool counted_;  // in PTS files the counts are binding
   bool heading_seen_ = false;
-  std::string buffer_;  // of a line with its decimal commas replaced
+  DecimalCommas commas_{{3, false}};
   std::uint64_t points_ = 0, announced_ = 0;
 };
 

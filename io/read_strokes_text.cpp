@@ -80,12 +80,14 @@ std::vector<model::Stroke> read_strokes_text(const std::filesystem::path& path) 
   std::optional<Layout> layout;
   bool apart = true;  // the next point begins a stroke
   std::string_view line;
-  std::string buffer;
+  DecimalCommas commas({3, true});
   while (input.line(line)) {
     const std::string_view text = trimmed(line);
     if (text.empty()) apart = true;
     if (text.empty() || text.starts_with('#')) continue;
-    const std::vector<std::string_view> columns = columns_of(with_decimal_points(line, buffer));
+    const std::optional<std::string_view> clear = commas.with_points(line);
+    if (!clear) input.fail_line(unclear_commas(text) + ".");
+    const std::vector<std::string_view> columns = columns_of(*clear);
     if (!layout) {
       layout = layout_of_heading(columns);
       if (layout) continue;

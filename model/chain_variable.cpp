@@ -12,6 +12,8 @@ constexpr double least_ratio = 0.2, most_ratio = 5.0, most_slide = 10.0;
 
 }  // namespace
 
+std::string index_text(int k) { return "[" + std::to_string(k) + "]"; }
+
 void add_join_variables(const JoinNumbers& join, std::vector<ChainVariable>& variables) {
   variables.push_back({"ratio." + join.name,
                        ChainKind::ratio,

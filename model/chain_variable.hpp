@@ -24,6 +24,9 @@ struct ChainVariable {
   bool points_stay = false;
 };
 
+/// "[k]", as names of variables count.
+std::string index_text(int k);
+
 /// A join's ratio and, with continuity 2, its slide, as variables named after the second of both.
 struct JoinNumbers {
   std::string name;

@@ -9,8 +9,6 @@
 namespace bodyline::model {
 namespace {
 
-std::string index_text(int k) { return "[" + std::to_string(k) + "]"; }
-
 // What a shape parameter is, by its position in the layout.
 struct ShapeNumber {
   int patch = 0;

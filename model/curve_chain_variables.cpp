@@ -10,8 +10,6 @@ namespace {
 
 constexpr double most_shape = 50.0;  // where an H-Bezier curve nearly is its control polygon
 
-std::string index_text(int k) { return "[" + std::to_string(k) + "]"; }
-
 // The joins at both ends of a curve; null where there is none.
 const CurveJoin* join_before(const CurveChain& chain, int curve) {
   if (curve > 0) return &chain.joins[curve - 1];

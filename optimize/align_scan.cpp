@@ -129,12 +129,14 @@ void find_missing_side(const AlignCloud& cloud, const BodySamples& shape,
 }
 
 // `placement` leaves the car standing level. Where an end is missing the whole shape is stretched
-// anew, without turns: a small one would lift or lower the far end by much.
+// anew, without turns: a small one would lift or lower the far end by much. `known` is the end that
+// is missing where that is known.
 void find_missing_end(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement,
-                      AlignResult& result) {
+                      MissingEnd known, AlignResult& result) {
   const AlignCloud few = thinned(cloud, settled_points);
   const Placement upright = registered(few, shape, placement, refining_scales, without_turns);
-  result.missing_end = missing_end(few, shape, upright, result.coverage);
+  result.missing_end =
+      known == MissingEnd::none ? missing_end(few, shape, upright, result.coverage) : known;
   if (result.missing_end != MissingEnd::none)
     result.beyond_end = samples_beyond(cloud, shape, upright, result.missing_end);
 }
@@ -240,9 +242,9 @@ struct Found {
   FitEvidence evidence;
 };
 
-// `whole` is the start model, of which `coarse` and `fine` may be a half.
+// `whole` is the start model, of which `coarse` and `fine` are what is left without the end `cut`.
 Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine,
-               const BodySamples& whole) {
+               const BodySamples& whole, MissingEnd cut) {
   Found found;
   const auto candidates = searched(car, coarse);
   if (candidates.size() > 1)
@@ -254,20 +256,20 @@ Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine,
         1.0 - double(car.off_ground.points.size()) / double(car.cloud.points.size());
   found.evidence = {found.result.fit, found.result.cover, found.result.doubt, placement.stretch[0]};
   settle_level(car.off_ground, placement);
-  find_missing_end(car.off_ground, whole, placement, found.result);
+  find_missing_end(car.off_ground, whole, placement, cut, found.result);
   found.placement = shifted(car.off_ground, fine, placement);
   return found;
 }
 
 // Tries halves of the start model where the scan may be no whole car.
 Found found_placement(const Prepared& car, const BodySamples& coarse, const BodySamples& fine) {
-  const Found whole = found_on(car, coarse, fine, fine);
+  const Found whole = found_on(car, coarse, fine, fine, MissingEnd::none);
   if (is_clearly_a_car(whole.evidence)) return whole;
   Found best = whole;
   bool is_half = false;
   for (const double end : {-1.0, 1.0}) {
-    Found half = found_on(car, half_of(coarse, end), half_of(fine, end), fine);
-    half.result.missing_end = end < 0.0 ? MissingEnd::rear : MissingEnd::front;
+    const Found half = found_on(car, half_of(coarse, end), half_of(fine, end), fine,
+                                end < 0.0 ? MissingEnd::rear : MissingEnd::front);
     if (!is_rather_half_a_car(half.evidence, best.evidence)) continue;
     best = half;
     is_half = true;
@@ -286,7 +288,7 @@ Placement given_placement(const Prepared& car, const BodySamples& fine, const Al
   settled(car.off_ground, fine, given, result);  // tells which side is missing
   const Placement stretched = registered(few, fine, given, given_scales, stretches);
   judge(car.off_ground, fine, stretched, result);
-  find_missing_end(car.off_ground, fine, stretched, result);
+  find_missing_end(car.off_ground, fine, stretched, MissingEnd::none, result);
   result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }

@@ -4,14 +4,10 @@
 #include <stdexcept>
 
 #include "model/bezier_form.hpp"
+#include "model/propagated.hpp"
 
 namespace bodyline::optimize {
 namespace {
-
-model::PatchChain propagated(model::PatchChain chain) {
-  model::propagate(chain);
-  return chain;
-}
 
 std::vector<double> flat(const std::vector<Eigen::Vector3d>& net) {
   std::vector<double> numbers;

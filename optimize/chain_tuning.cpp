@@ -27,19 +27,49 @@ void check_patterns(const std::vector<model::ChainVariable>& variables,
 // after a chain with a cusp, it is not to be trusted.
 constexpr double large_fall = 1e-2;
 
+constexpr int most_repeats = 10;
+
+bool ended_well(const Result& result) {
+  return result.status == Status::converged || result.status == Status::small_improvement;
+}
+
+bool fell(const Result& result) {
+  return ended_well(result) && result.value < large_fall * result.start_value;
+}
+
+// What is left of the limits; false where that is nothing.
+bool take_off(const Result& used, Options& limits) {
+  limits.max_evaluations -= used.evaluations;
+  if (limits.max_evaluations < 1) return false;
+  if (limits.max_seconds == 0.0) return true;  // no limit
+  limits.max_seconds -= used.seconds;
+  return limits.max_seconds > 0.0;
+}
+
+// A search that went on from `before`. That it came no further does not make what was found worse.
+Result joined(const Result& before, Result next) {
+  const bool went_nowhere = next.status == Status::failed || next.status == Status::no_progress;
+  if (went_nowhere) {
+    if (!(next.value < before.value)) {
+      next.x = before.x;
+      next.value = before.value;
+      next.gradient_norm = before.gradient_norm;
+    }
+    next.status = before.status;
+  }
+  next.evaluations += before.evaluations;
+  next.seconds += before.seconds;
+  return next;
+}
+
 Result search_to_end(Problem& problem, const Eigen::VectorXd& start, const Options& search) {
-  Result found = minimize(problem, start, search);
-  const auto fell = [](const Result& result) {
-    return (result.status == Status::converged || result.status == Status::small_improvement) &&
-           result.value < large_fall * result.start_value;
-  };
-  bool again = fell(found);
-  while (again) {
-    Result next = minimize(problem, found.x, search);
-    again = fell(next);
-    next.evaluations += found.evaluations;
-    next.seconds += found.seconds;
-    found = std::move(next);
+  Options limits = search;
+  Result found = minimize(problem, start, limits);
+  bool again = fell(found) && take_off(found, limits);
+  for (int repeat = 0; again && repeat < most_repeats; ++repeat) {
+    Result next = minimize(problem, found.x, limits);
+    again = fell(next) && take_off(next, limits);
+    found = joined(found, std::move(next));
   }
   return found;
 }

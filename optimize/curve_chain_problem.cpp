@@ -4,13 +4,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "model/propagated.hpp"
+
 namespace bodyline::optimize {
 namespace {
-
-model::CurveChain propagated(model::CurveChain chain) {
-  model::propagate(chain);
-  return chain;
-}
 
 // The largest shape parameter that a search may come to.
 double most_shape(const model::CurveChain& chain,

@@ -1,6 +1,7 @@
 #include "optimize/dimension_target.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -53,20 +54,19 @@ std::string number(double value) {
 }
 
 std::string interval(const DimensionBound& bound) {
-  return bound.lower == bound.upper ? number(bound.lower)
-                                    : number(bound.lower) + " to " + number(bound.upper);
+  const std::string lower = number(bound.lower), upper = number(bound.upper);
+  return lower == upper ? lower : lower + " to " + upper;
 }
 
 bool is_angle(model::DimensionKind kind) { return kind == model::DimensionKind::rake; }
 
-// nan compares false.
+// "At most 4500" may be written 0:4500: an interval need only meet the range.
 void check_range(const DimensionBound& bound, model::DimensionKind kind) {
   const auto [least, most] = possible_range(kind);
-  for (const double value : {bound.lower, bound.upper}) {
-    if (value >= least && value <= most) continue;
-    throw std::invalid_argument(bound.name + " is from " + number(least) + " to " + number(most) +
-                                (is_angle(kind) ? " degrees" : " mm") + ", not " + number(value));
-  }
+  const bool finite = std::isfinite(bound.lower) && std::isfinite(bound.upper);
+  if (finite && bound.lower <= most && bound.upper >= least) return;
+  throw std::invalid_argument(bound.name + " is from " + number(least) + " to " + number(most) +
+                              (is_angle(kind) ? " degrees" : " mm") + ", not " + interval(bound));
 }
 
 }  // namespace

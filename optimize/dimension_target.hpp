@@ -26,7 +26,8 @@ DimensionRange possible_range(model::DimensionKind kind);
 std::vector<DimensionBound> merged(const std::vector<DimensionBound>& bounds);
 
 /// Bounds on dimensions as a target of a fit. Throws std::invalid_argument when the model has no
-/// such dimension, bounds are in the wrong order or one is out of its possible range.
+/// such dimension, bounds are not finite or in the wrong order, or none of what they allow is
+/// possible.
 FitTargetMaker dimension_target(const model::Model& model,
                                 const std::vector<DimensionBound>& bounds);
 

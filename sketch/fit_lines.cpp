@@ -17,9 +17,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // By how much the speed of a curve, relative to its length, differs from the template's: at first,
-// before anything is known, and commonly. Where it differs by more, that is taken into account
-// (Cauchy): a curve may be of quite another kind; but it does not wander off and come back.
-constexpr double first_speed_error = 0.05, common_speed_error = 0.003;
+// before anything is known, and for good where the curve is not known in space. For the others
+// their lines tell (likely_speed_tolerance).
+constexpr double first_speed_error = 0.05, unknown_speed_error = 0.003;
 
 // By how much inner points differ from the template's, relative to the length of the curve, where
 // lines tell them, and where they do not.
@@ -169,7 +169,7 @@ class LinesSearch {
   // A curve that is not known in space keeps the speed of the template: nothing could tell it from
   // a detour in the direction that is not drawn.
   double settled_tolerance(std::size_t curve, const std::vector<LineWeights>& weights) const {
-    if (!start_.known[curve]) return common_speed_error;
+    if (!start_.known[curve]) return unknown_speed_error;
     const int count = unknowns_.count() + 2 * int(lines_.size());
     NormalEquations lines(count), shape(count), speed(count);
     for (std::size_t k = 0; k < lines_.size(); ++k) {

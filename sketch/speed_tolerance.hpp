@@ -15,7 +15,8 @@ struct CurveKnowledge {
 /// By how much the speed of a curve differs from the template's, relative to its length, as the
 /// lines make it most likely: the tolerance with the greatest evidence, which is the probability of
 /// the lines over all curves that the tolerance allows. Where the lines do not tell how fast the
-/// curve runs that is the least, where they contradict the template it is as large as it needs.
+/// curve runs, or nothing can be computed, that is the least; where they contradict the template it
+/// is as large as it needs.
 double likely_speed_tolerance(const CurveKnowledge& knowledge);
 
 }  // namespace bodyline::sketch

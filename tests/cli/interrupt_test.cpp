@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <thread>
+
+#include "cli/held_interrupt.hpp"
 #include "cli/interrupt_words.hpp"
 #include "tests/cli/program_run.hpp"
 
@@ -53,6 +57,40 @@ TEST(InterruptWords, EndWithTheirScope) {
     std::raise(SIGTERM);
   };
   EXPECT_EXIT(ask_after(), ::testing::KilledBySignal(SIGTERM), "^$");
+}
+
+TEST(HeldInterrupt, LetsWorkEndBeforeTheProgramDoes) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto ask = [signal] {
+      const cli::HeldInterrupt whole;
+      std::raise(signal);
+      std::raise(signal);
+      std::fputs("written", stderr);
+    };
+    EXPECT_EXIT(ask(), ::testing::KilledBySignal(signal), "^written$");
+  }
+}
+
+// TBB's threads do not know what the one that writes has blocked.
+TEST(HeldInterrupt, HoldsInAllThreads) {
+  const auto ask = [] {
+    const cli::HeldInterrupt whole;
+    std::thread([] { std::raise(SIGINT); }).join();
+    std::fputs("written", stderr);
+  };
+  EXPECT_EXIT(ask(), ::testing::KilledBySignal(SIGINT), "^written$");
+}
+
+TEST(HeldInterrupt, PassesOnWhatCameAndNothingElse) {
+  const cli::Interrupt interrupt;
+  { const cli::HeldInterrupt whole; }
+  EXPECT_FALSE(interrupt.requested());
+  {
+    const cli::HeldInterrupt whole;
+    std::raise(SIGINT);
+    EXPECT_FALSE(interrupt.requested());
+  }
+  EXPECT_TRUE(interrupt.requested());
 }
 
 /// Runs of `fit` that get a SIGINT at a known point.

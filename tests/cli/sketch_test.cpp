@@ -284,6 +284,8 @@ const std::string side_view = "[views.side]\nfile = \"views.svg\"\n";
 const std::string some_line = "<path id=\"door_bottom\" d=\"M 0,0 L 500,90\"/>";
 const std::string side_layer = "<g id=\"side\">" + some_line + "</g>";
 
+const std::string endless_name(1'000'000, '[');
+
 const std::vector<Refusal> refusals{
     {"AnEmptyDrawing", "", "", {}, "views.svg: draws nothing."},
     {"NoLayerOfAView", some_line, "", {}, "has no layer named side, front, rear or top"},
@@ -328,6 +330,17 @@ const std::vector<Refusal> refusals{
      side_view + "scale = 5.0\n",
      {},
      "the name 'door_bottom [degree 12]' needs a degree from 2 to 9 in its brackets"},
+    {"AnEndlessNameWithABracket",
+     "<g id=\"side\"><path inkscape:label=\"" + endless_name + "[\" d=\"M 0,0 L 500,90\"/></g>",
+     side_view + "scale = 5.0\n",
+     {},
+     "no path in the drawings is named after a curve of the body"},
+    {"AnEndlessNameWithADegree",
+     "<g id=\"side\"><path inkscape:label=\"" + endless_name +
+         " [degree 12]\" d=\"M 0,0 L 500,90\"/></g>",
+     side_view + "scale = 5.0\n",
+     {},
+     "[[...' needs a degree from 2 to 9 in its brackets"},
     {"TwoDrawnDegrees",
      "<g id=\"side\"><path inkscape:label=\"door_bottom [degree 4]\" d=\"M 0,0 L 500,90\"/>"
      "<g inkscape:label=\"door_bottom [degree 5]\"><path d=\"M 0,0 L 500,90\"/></g></g>",

@@ -8,6 +8,7 @@
 #include <array>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include "explore/append_file.hpp"
 #include "store_support.hpp"
@@ -46,9 +47,15 @@ class Letters {
   Letters(const Letters&) = delete;
   Letters& operator=(const Letters&) = delete;
   ~Letters() {
-    for (const int end : ends_) ::close(end);
+    ::close(ends_[0]);
+    only_receives();
+  }
+  /// Of a process that sends none: who waits must not wait for itself when all others have ended.
+  void only_receives() {
+    if (ends_[1] >= 0) ::close(std::exchange(ends_[1], -1));
   }
   void send(char letter) { ASSERT_EQ(::write(ends_[1], &letter, 1), 1); }
+  /// '?' when nobody is left who could send one.
   char receive() {
     char letter = 0;
     return ::read(ends_[0], &letter, 1) == 1 ? letter : '?';
@@ -65,6 +72,8 @@ struct Meeting {
 // A program that replaces a store and fills it once all others have tried the same.
 [[noreturn]] void replace_store(const fs::path& path, const explore::Study& study,
                                 const explore::DesignSpace& space, Meeting& meeting) {
+  meeting.start.only_receives();
+  meeting.go_on.only_receives();
   meeting.start.receive();
   try {
     explore::StoreWriter store = explore::StoreWriter::create(path, study, space, rows, true);
@@ -88,6 +97,7 @@ int writers_of(const fs::path& path, const explore::Study& study, int programs) 
     children.push_back(::fork());
     if (children.back() == 0) replace_store(path, study, space, meeting);
   }
+  meeting.answers.only_receives();
   for (int k = 0; k < programs; ++k) meeting.start.send('s');
   int writers = 0;
   for (int k = 0; k < programs; ++k) writers += meeting.answers.receive() == 'y' ? 1 : 0;

@@ -1,5 +1,6 @@
 #include "store_support.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "explore/design_space.hpp"
@@ -54,6 +55,11 @@ bool same_rows(const explore::VariantRows& a, const explore::VariantRows& b) {
 explore::VariantRows all_rows(const std::filesystem::path& path) {
   const explore::StoreReader reader(path);
   return reader.read(0, int(reader.rows()), true);
+}
+
+void append_made_up(explore::StoreWriter& store, int count, int at_once) {
+  for (int done = 0; done < count; done += at_once)
+    store.append(made_up_rows(store.layout(), store.rows(), std::min(at_once, count - done)));
 }
 
 ::testing::AssertionResult holds_rows(const std::filesystem::path& path, std::uint64_t rows) {

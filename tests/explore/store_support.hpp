@@ -16,6 +16,9 @@ explore::VariantRows made_up_rows(const explore::StoreLayout& layout, std::uint6
 explore::StoreWriter new_store(const std::filesystem::path& path, const explore::Study& study,
                                std::uint64_t planned, const explore::StoreOptions& options = {});
 
+/// Appends the next rows to a store, so many at once.
+void append_made_up(explore::StoreWriter& store, int count, int at_once);
+
 /// Whether a store holds exactly so many committed rows, made up and readable.
 ::testing::AssertionResult holds_rows(const std::filesystem::path& path, std::uint64_t rows);
 

@@ -22,6 +22,11 @@ TEST(HardPoints, MayHaveDecimalCommas) {
   EXPECT_EQ(points[0].margin, 20.5);
 }
 
+TEST(HardPoints, AreRefusedWhereCommasAreUnclear) {
+  EXPECT_THROW(read("12,34 5 inside\n"), io::InputError);
+  EXPECT_THROW(read("1,2,3,inside\n2000,5 -500 1000,25 inside\n"), io::InputError);
+}
+
 TEST(HardPoints, OneLineOfWordsMayStandAboveThem) {
   EXPECT_EQ(read("# package\nx_mm,y_mm,z_mm,rule,margin_mm\n1,2,3,inside,4\n").size(), 1u);
   EXPECT_THROW(read("x,y,z,rule\nx,y,z,rule\n1,2,3,inside\n"), io::InputError);

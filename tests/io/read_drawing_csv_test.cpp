@@ -32,6 +32,15 @@ TEST_F(CsvDrawing, TakesDecimalCommas) {
 
 TEST_F(CsvDrawing, ACommaThatMayBeDecimalOrNotIsRefused) {
   EXPECT_THROW(read("a.csv", "100,2 7\n100,3 7\n"), io::InputError);
+  EXPECT_THROW(read("a.csv", "1,2\n100,5 7,5\n"), io::InputError);
+}
+
+TEST_F(CsvDrawing, ACommaIsWhatItWasInLinesBefore) {
+  EXPECT_EQ(read("a.csv", "0,5 1,5\n2,5 3\n").paths.at(0).segments.at(0).points[3],
+            Vector2d(2.5, 3));
+  const auto named = read("a.csv", "0,1 roof\n2,3 roof\n4,5 7\n6,7 7\n");
+  ASSERT_EQ(named.paths.size(), 2U);
+  EXPECT_EQ(named.paths[1].name, "7");
 }
 
 TEST_F(CsvDrawing, BeginsALineAtABlankOneAndAtAnotherName) {

@@ -45,6 +45,12 @@ const std::vector<Refusal> text_files{
      "2: \"1 two 3\" is no point: it takes three numbers x y z."},
     {"TwoHeadings", "a.csv", "x,y,z\nmm,mm,mm\n1,2,3\n",
      "2: \"mm,mm,mm\" is no point: it takes three numbers x y z."},
+    {"UnclearComma", "a.xyz", "1 2 3\n12,34 5\n",
+     "2: \"12,34 5\" has commas that may be decimal or part numbers, or are not what they are in "
+     "lines before; write decimal points."},
+    {"OtherCommas", "a.xyz", "1,5 2,5 3,5\n1,2,3\n",
+     "2: \"1,2,3\" has commas that may be decimal or part numbers, or are not what they are in "
+     "lines before; write decimal points."},
     {"PtsCutOff", "a.pts", "200\n" + lines(150),
      " is cut off: it announces 200 points but holds 150."},
 };

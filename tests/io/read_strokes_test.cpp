@@ -92,6 +92,11 @@ TEST_F(StrokeFiles, AreRefusedWithASentence) {
   EXPECT_EQ(refusal("a.json", "[]"), ": holds no stroke.");
   EXPECT_EQ(refusal("a.obj", "v 0 0 0\nl 1\n"), ":2: a line takes two vertices or more.");
   EXPECT_EQ(refusal("a.obj", "v 0 0 0\nl 1 2\n"), ":2: \"2\" is no vertex of the file so far.");
+  EXPECT_EQ(refusal("a.csv", "7,0 0 0\n"),
+            ":1: \"7,0 0 0\" has commas that may be decimal or part numbers, or are not what they "
+            "are in lines before; write decimal points.");
+  EXPECT_EQ(refusal("a.csv", "s1,0 0 0\n"),
+            ":1: \"s1\" is no coordinate: a point takes x, y and z.");
   EXPECT_EQ(refusal("a.csv", "1,2,x\n"), ":1: \"x\" is no coordinate: a point takes x, y and z.");
 }
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "io/read_model.hpp"
 #include "optimize/align_scan.hpp"
+#include "tests/optimize/align_support.hpp"
 #include "tests/optimize/scan_samples.hpp"
 
 namespace bodyline::optimize {
@@ -11,12 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 using model::Scan;
-
-constexpr int sample_points = 20000;
-
-model::Model car(const std::string& name) {
-  return io::read_model(BODYLINE_SOURCE_DIR "/cars/" + name + ".toml");
-}
 
 TEST(AlignScan, TellsOfPointsOnTheGround) {
   const model::Model start = car("template");
@@ -46,6 +40,29 @@ TEST(AlignScan, NamesAnEndThatIsCutOffAndStandsInForIt) {
       EXPECT_GT(front * (point.x() - 2430.0), 100.0);
     EXPECT_NE(result.warning, "");
   }
+}
+
+// Of a car so much longer than the start model that a half of it is found on half of the model; by
+// its coverage both ends would be missing.
+TEST(AlignScan, StandsInForNoEndButTheOneItNames) {
+  const model::Model start = car("template");
+  model::Model longer = car("model1");
+  for (model::Curve& curve : longer.curves)
+    for (Vector3d& point : curve.points) point.x() *= 1.35;
+  SampleDraw draw(1);
+  const Scan half = kept(sampled(longer, sample_points, 1.0, draw),
+                         [](const Vector3d& point) { return point.x() < 2200.0; });
+  const AlignResult result = align_scan(half, start);
+  ASSERT_TRUE(result.missing_end == MissingEnd::front || result.missing_end == MissingEnd::rear);
+  const auto along = [&](const Vector3d& point) {
+    return (result.pose.rotation * point * result.pose.scale + result.pose.translation).x();
+  };
+  double middle = 0.0;
+  for (const Vector3d& point : half.points) middle += along(point) / double(half.points.size());
+  ASSERT_FALSE(result.beyond_end.points.empty());
+  const double side = result.missing_end == MissingEnd::rear ? 1.0 : -1.0;
+  for (const Vector3d& point : result.beyond_end.points)
+    EXPECT_GT(side * (along(point) - middle), 0.0);
 }
 
 }  // namespace

@@ -197,12 +197,25 @@ TEST(DimensionTarget, RefusesWhatNoCarHasAndNamesWhatCanBe) {
   for (const double value : {-5.0, 0.0, 4.7, 1e9, 1e300, -HUGE_VAL, HUGE_VAL, nan}) {
     const std::string allowed = "length is from 100 to 20000 mm, not ";
     EXPECT_TRUE(refusal({"length", value, value}).starts_with(allowed)) << value;
-    EXPECT_NE(refusal({"length", std::min(value, 4000.0), std::max(value, 4000.0)}), "") << value;
   }
+  for (const double value : {HUGE_VAL, nan}) {
+    EXPECT_NE(refusal({"length", 4000.0, value}), "") << value;
+    EXPECT_NE(refusal({"length", -value, 4000.0}), "") << value;
+  }
+  EXPECT_EQ(refusal({"length", 0.0, 50.0}), "length is from 100 to 20000 mm, not 0 to 50");
+  EXPECT_EQ(refusal({"length", 30000.0, 40000.0}),
+            "length is from 100 to 20000 mm, not 30000 to 40000");
   EXPECT_EQ(refusal({"rake.windshield", 200.0, 200.0}),
             "rake.windshield is from 0 to 90 degrees, not 200");
   EXPECT_EQ(refusal({"rake.windshield", 0.0, 90.0}), "");
   EXPECT_EQ(refusal({"front_overhang", -200.0, 900.0}), "");
+}
+
+TEST(DimensionTarget, TakesAnIntervalThatIsPossibleInPart) {
+  EXPECT_EQ(refusal({"length", 0.0, 4500.0}), "");
+  EXPECT_EQ(refusal({"height", 0.0, 1500.0}), "");
+  EXPECT_EQ(refusal({"length", 4000.0, 1e9}), "");
+  EXPECT_EQ(refusal({"rake.windshield", -5.0, 30.0}), "");
 }
 
 TEST(DimensionBounds, OfOneDimensionBecomeWhatAllOfThemAllow) {

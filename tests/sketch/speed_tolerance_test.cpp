@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace bodyline {
 namespace {
@@ -23,7 +24,7 @@ double tolerance_told(double off, double error) {
       to.add(column, Eigen::MatrixXd::Constant(1, 1, weight),
              Eigen::VectorXd::Constant(1, weight * right));
     };
-    if (error > 0.0) add(lines, 1.0 / error, -sign * off);
+    if (error != 0.0) add(lines, 1.0 / error, -sign * off);
     add(shape, 1.0, 0.0);
     add(speed, 1.0, 0.0);
   }
@@ -47,6 +48,12 @@ TEST(SpeedTolerance, IsAsLargeAsLinesContradictTheTemplate) {
     EXPECT_LT(tolerance_told(off, 1e-4), one_step * off) << off;
     EXPECT_GT(tolerance_told(off, 1e-4), off / one_step) << off;
   }
+}
+
+TEST(SpeedTolerance, IsTheLeastWhereNothingCanBeComputed) {
+  EXPECT_DOUBLE_EQ(tolerance_told(NAN, 1e-4), 1e-3);
+  EXPECT_DOUBLE_EQ(tolerance_told(0.1, NAN), 1e-3);
+  EXPECT_DOUBLE_EQ(tolerance_told(0.1, 1e-200), 1e-3);  // whose square is infinite
 }
 
 }  // namespace
