@@ -1,5 +1,6 @@
 #include "optimize/align_floor.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,16 +12,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What lies so much lower than the stretched shape, mm, is ground or wheels.
-constexpr double below_car = 100.0;
 // Layers are looked for from so much under its lowest point to so much over it, mm: it is stretched
 // to the ground, too.
 constexpr double search_below = 500.0, search_above = 150.0;
 constexpr double layer = 60.0, layer_step = 20.0;
 // A layer is ground when it covers this part of the area under the car: what a body has at one
-// height is a seam around that, a sixth of it at most.
-constexpr double ground_cover = 0.4;
-constexpr double cell = 100.0;  // mm, of the area
+// height is a seam around that, a third of it at most.
+constexpr double ground_cover = 0.45;
+constexpr double cell = 150.0;  // mm, of the area
+// What lies so much lower than the stretched shape, mm, is ground, too, when it is as wide as this
+// and within this of a plane: the pose need not be level with it yet.
+constexpr double below_car = 100.0, below_cover = 0.25, below_flatness = 25.0;
 
 std::vector<Vector3d> placed(const AlignCloud& cloud, const Placement& placement) {
   std::vector<Vector3d> points;
@@ -29,13 +31,29 @@ std::vector<Vector3d> placed(const AlignCloud& cloud, const Placement& placement
   return points;
 }
 
-double covered_area(const std::vector<Vector3d>& points, double from) {
+std::vector<Vector3d> between(const std::vector<Vector3d>& points, double from, double to) {
+  std::vector<Vector3d> result;
+  for (const Vector3d& point : points)
+    if (point.z() >= from && point.z() <= to) result.push_back(point);
+  return result;
+}
+
+double covered_area(const std::vector<Vector3d>& points) {
   std::set<std::pair<long, long>> cells;
-  for (const Vector3d& point : points) {
-    if (point.z() < from || point.z() > from + layer) continue;
+  for (const Vector3d& point : points)
     cells.insert({std::lround(point.x() / cell), std::lround(point.y() / cell)});
-  }
   return double(cells.size()) * cell * cell;
+}
+
+// Root mean square distance from the best plane.
+double flatness(const std::vector<Vector3d>& points) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& point : points) mean += point / double(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3d& point : points)
+    spread += (point - mean) * (point - mean).transpose() / double(points.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, axes.eigenvalues()[0]));
 }
 
 }  // namespace
@@ -50,9 +68,13 @@ double floor_under(const AlignCloud& cloud, const BodySamples& shape, const Plac
   const Vector3d extents = placement.stretch.cwiseProduct(shape.extents());
   const double low = shape.centre().z() - 0.5 * extents.z();
   const std::vector<Vector3d> points = placed(cloud, placement);
-  double floor = low - below_car;
+  const double area = extents.x() * extents.y();
+  double floor = -std::numeric_limits<double>::infinity();
+  const std::vector<Vector3d> below = between(points, floor, low - below_car);
+  if (covered_area(below) > below_cover * area && flatness(below) < below_flatness)
+    floor = low - below_car;
   for (double from = low - search_below; from < low + search_above; from += layer_step)
-    if (covered_area(points, from) > ground_cover * extents.x() * extents.y())
+    if (covered_area(between(points, from, from + layer)) > ground_cover * area)
       floor = std::max(floor, from + layer);
   return floor;
 }

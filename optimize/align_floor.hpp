@@ -7,8 +7,7 @@
 namespace bodyline::optimize {
 
 /// The height under a placed car, mm in the coordinates of the shape, below which nothing is the
-/// car's: over the top of a layer of points as wide as the ground where there is one, else a little
-/// lower than the stretched shape.
+/// car's: over a layer of points as wide as the ground; minus infinity where there is none.
 double floor_under(const AlignCloud& cloud, const BodySamples& shape, const Placement& placement);
 
 /// The height of the cloud's lowest point at a placement, mm.

@@ -221,8 +221,7 @@ std::string described(const AlignResult& result, const std::string& reference) {
       side_words(result.missing));
   std::string words = text;
   if (result.ground > 0.0) {
-    std::snprintf(text, sizeof text,
-                  " %.0f %% of the points lie on the ground or below the car and are left out.",
+    std::snprintf(text, sizeof text, " %.0f %% of the points lie on the ground and are left out.",
                   100.0 * result.ground);
     words += text;
   }
