@@ -1,6 +1,5 @@
 #include "optimize/align_floor.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,9 +19,9 @@ constexpr double layer = 60.0, layer_step = 20.0;
 // height is a seam around that, a third of it at most.
 constexpr double ground_cover = 0.45;
 constexpr double cell = 150.0;  // mm, of the area
-// What lies so much lower than the stretched shape, mm, is ground, too, when it is as wide as this
-// and within this of a plane: the pose need not be level with it yet.
-constexpr double below_car = 100.0, below_cover = 0.25, below_flatness = 25.0;
+// What lies so much lower than the stretched shape, mm, is ground or wheels, when it is this part
+// of the points or more; the pose need not be level with it yet.
+constexpr double below_car = 100.0, below_share = 0.02;
 
 std::vector<Vector3d> placed(const AlignCloud& cloud, const Placement& placement) {
   std::vector<Vector3d> points;
@@ -45,17 +44,6 @@ double covered_area(const std::vector<Vector3d>& points) {
   return double(cells.size()) * cell * cell;
 }
 
-// Root mean square distance from the best plane.
-double flatness(const std::vector<Vector3d>& points) {
-  Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& point : points) mean += point / double(points.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vector3d& point : points)
-    spread += (point - mean) * (point - mean).transpose() / double(points.size());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, axes.eigenvalues()[0]));
-}
-
 }  // namespace
 
 double lowest(const AlignCloud& cloud, const Placement& placement) {
@@ -70,8 +58,7 @@ double floor_under(const AlignCloud& cloud, const BodySamples& shape, const Plac
   const std::vector<Vector3d> points = placed(cloud, placement);
   const double area = extents.x() * extents.y();
   double floor = -std::numeric_limits<double>::infinity();
-  const std::vector<Vector3d> below = between(points, floor, low - below_car);
-  if (covered_area(below) > below_cover * area && flatness(below) < below_flatness)
+  if (double(between(points, floor, low - below_car).size()) > below_share * double(points.size()))
     floor = low - below_car;
   for (double from = low - search_below; from < low + search_above; from += layer_step)
     if (covered_area(between(points, from, from + layer)) > ground_cover * area)

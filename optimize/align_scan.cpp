@@ -259,12 +259,17 @@ bool set_aside_below(const BodySamples& shape, const Placement& placement, Align
   return true;
 }
 
+double doubt_of(const std::vector<Candidate>& candidates) {
+  return candidates.size() > 1 ? candidates[1].score.total() / candidates[0].score.total() : 0.0;
+}
+
 // `whole` is the start model, of which `coarse` and `fine` may be a half.
 Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine,
                const BodySamples& whole) {
   Found found;
   const double all = double(car.cloud.points.size());
   auto candidates = searched(car, coarse);
+  const double doubt = doubt_of(candidates);
   Placement placement = settled(car.off_ground, fine, candidates.front().placement, found.result);
   if (set_aside_below(fine, placement, car.off_ground)) {
     // The shape may have been stretched to the ground: everything once more.
@@ -274,8 +279,7 @@ Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine,
     placement = settled(car.off_ground, fine, candidates.front().placement, found.result);
     car.ground = true;
   }
-  if (candidates.size() > 1)
-    found.result.doubt = candidates[1].score.total() / candidates[0].score.total();
+  found.result.doubt = std::max(doubt, doubt_of(candidates));
   judge(car.off_ground, fine, placement, found.result);
   if (car.ground) found.result.ground = 1.0 - double(car.off_ground.points.size()) / all;
   found.evidence = {found.result.fit, found.result.cover, found.result.doubt, placement.stretch[0]};
