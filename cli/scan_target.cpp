@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "io/input_error.hpp"
 #include "optimize/orient_normals.hpp"
+#include "optimize/scan_above.hpp"
 
 namespace bodyline::cli {
 
@@ -68,7 +69,8 @@ PlacedScan place_scan(Context& context, const ScanTarget& target, const model::M
     placed.pose_given = options.pose.has_value();
     placed.unit_given = placed.pose_given || target.unit_mm > 0.0;
     if (!placed.pose_given) placed.words += "\n" + moved_frame_words(placed.pose);
-    placed.scan = optimize::oriented_scan(file.scan, aligned.pose, model, target.most_points);
+    const model::Scan car = optimize::scan_above(file.scan, aligned.pose, aligned.floor_mm);
+    placed.scan = optimize::oriented_scan(car, aligned.pose, model, target.most_points);
     placed.fitted = placed.scan;
     const model::Scan& beyond = aligned.beyond_end;
     placed.fitted.points.insert(placed.fitted.points.end(), beyond.points.begin(),

@@ -9,6 +9,7 @@
 #include "optimize/align_box.hpp"
 #include "optimize/align_cloud.hpp"
 #include "optimize/align_ends.hpp"
+#include "optimize/align_floor.hpp"
 #include "optimize/align_ground.hpp"
 #include "optimize/align_level.hpp"
 #include "optimize/align_one_side.hpp"
@@ -35,6 +36,8 @@ constexpr double least_partners = 0.35;
 constexpr double side_ratio = 0.35;  // of the covered samples on the two sides
 
 constexpr double worth_a_word = 0.92;  // doubt
+
+constexpr double near_floor = 10.0;  // mm: a scan has points lower than those that are looked at
 
 const std::vector<double> refining_scales{100, 80, 80, 60, 60, 60};
 const std::vector<double> shifting_scales{500, 500, 400, 400, 300, 300, 200, 200};
@@ -220,8 +223,7 @@ std::string described(const AlignResult& result, const std::string& reference) {
       side_words(result.missing));
   std::string words = text;
   if (result.ground > 0.0) {
-    std::snprintf(text, sizeof text,
-                  " %.0f %% of the points lie on the ground, which the pose does not look at.",
+    std::snprintf(text, sizeof text, " %.0f %% of the points lie on the ground and are left out.",
                   100.0 * result.ground);
     words += text;
   }
@@ -242,22 +244,52 @@ struct Found {
   FitEvidence evidence;
 };
 
+// Whether anything lay below the car: then it is set aside.
+bool set_aside_below(const BodySamples& shape, const Placement& placement, AlignCloud& cloud) {
+  const double floor = floor_under(cloud, shape, placement);
+  AlignCloud above;
+  above.spacing = cloud.spacing;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (placement.rotation.row(2).dot(cloud.points[i]) + placement.translation.z() < floor)
+      continue;
+    above.points.push_back(cloud.points[i]);
+    above.normals.push_back(cloud.normals[i]);
+  }
+  if (above.points.size() == cloud.points.size() || above.points.size() < least_points)
+    return false;
+  cloud = std::move(above);
+  return true;
+}
+
+double doubt_of(const std::vector<Candidate>& candidates) {
+  return candidates.size() > 1 ? candidates[1].score.total() / candidates[0].score.total() : 0.0;
+}
+
 // `whole` is the start model, of which `coarse` and `fine` are what is left without the end `cut`.
 Found found_on(Prepared car, const BodySamples& coarse, const BodySamples& fine,
                const BodySamples& whole, MissingEnd cut) {
   Found found;
-  const auto candidates = searched(car, coarse);
-  if (candidates.size() > 1)
-    found.result.doubt = candidates[1].score.total() / candidates[0].score.total();
+  const double all = double(car.cloud.points.size());
+  auto candidates = searched(car, coarse);
+  const double doubt = doubt_of(candidates);
   Placement placement = settled(car.off_ground, fine, candidates.front().placement, found.result);
+  if (set_aside_below(fine, placement, car.off_ground)) {
+    // The shape may have been stretched to the ground: everything once more.
+    car.cloud = car.off_ground;
+    car.ground = false;
+    found.result = {};
+    candidates = searched(car, coarse);
+    placement = settled(car.off_ground, fine, candidates.front().placement, found.result);
+    car.ground = true;
+  }
+  found.result.doubt = std::max(doubt, doubt_of(candidates));
   judge(car.off_ground, fine, placement, found.result);
-  if (car.ground)
-    found.result.ground =
-        1.0 - double(car.off_ground.points.size()) / double(car.cloud.points.size());
+  if (car.ground) found.result.ground = 1.0 - double(car.off_ground.points.size()) / all;
   found.evidence = {found.result.fit, found.result.cover, found.result.doubt, placement.stretch[0]};
   settle_level(car.off_ground, placement);
   find_missing_end(car.off_ground, whole, placement, cut, found.result);
   found.placement = shifted(car.off_ground, fine, placement);
+  if (car.ground) found.result.floor_mm = lowest(car.off_ground, found.placement) - near_floor;
   return found;
 }
 
@@ -279,7 +311,7 @@ Found found_placement(const Prepared& car, const BodySamples& coarse, const Body
 }
 
 // The given pose, judged.
-Placement given_placement(const Prepared& car, const BodySamples& fine, const AlignOptions& options,
+Placement given_placement(Prepared car, const BodySamples& fine, const AlignOptions& options,
                           AlignResult& result) {
   const AlignCloud few = thinned(car.off_ground, settled_points);
   Placement given;
@@ -287,8 +319,13 @@ Placement given_placement(const Prepared& car, const BodySamples& fine, const Al
   given.translation = options.pose->translation;
   settled(car.off_ground, fine, given, result);  // tells which side is missing
   const Placement stretched = registered(few, fine, given, given_scales, stretches);
+  if (set_aside_below(fine, stretched, car.off_ground)) car.ground = true;
   judge(car.off_ground, fine, stretched, result);
   find_missing_end(car.off_ground, fine, stretched, MissingEnd::none, result);
+  if (car.ground) {
+    result.ground = 1.0 - double(car.off_ground.points.size()) / double(car.cloud.points.size());
+    result.floor_mm = lowest(car.off_ground, given) - near_floor;
+  }
   result.pose_is_doubtful = !is_a_car({result.fit, result.cover, 0.0, stretched.stretch[0]});
   return given;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -33,7 +34,10 @@ struct AlignResult {
   double cover = 0.0;     ///< how well the points cover the stretched start model, without a
                           ///< missing side, 0 to about 1
   double coverage = 0.0;  ///< share of its two sides with a point near, 0 to 1
-  double ground = 0.0;    ///< share of the points on the ground, set aside; 0: none was found
+  double ground =
+      0.0;  ///< share of the points on the ground and lower, set aside; 0: none was found
+  /// Points lower than this at the pose, mm, are none of the car's; without ground, all are higher.
+  double floor_mm = -std::numeric_limits<double>::infinity();
   MissingSide missing = MissingSide::none;
   MissingEnd missing_end = MissingEnd::none;
   model::Scan beyond_end;  ///< what the stretched start model has where an end is missing, in

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "optimize/align_scan.hpp"
+#include "optimize/scan_above.hpp"
 #include "tests/optimize/align_support.hpp"
 #include "tests/optimize/scan_samples.hpp"
 
@@ -21,6 +24,37 @@ TEST(AlignScan, TellsOfPointsOnTheGround) {
   const AlignResult result = align_scan(scan, start);
   EXPECT_GT(result.ground, 0.05);
   EXPECT_NE(result.words.find("of the points lie on the ground"), std::string::npos);
+}
+
+// Thick, and so near that the start model is stretched down to it at first.
+void add_uneven_ground(Scan& scan, double below, SampleDraw& draw) {
+  for (std::size_t k = scan.points.size() / 5; k > 0; --k) {
+    const Vector3d place = draw.in_box();
+    scan.points.emplace_back(2300.0 + 2750.0 * place.x(), 1200.0 * place.y(),
+                             -below + 10.0 * place.z());
+  }
+}
+
+TEST(AlignScan, HasAFloorBetweenTheCarAndTheGround) {
+  const model::Model start = car("template");
+  for (const double below : {120.0, 150.0, 300.0}) {
+    SampleDraw draw(1);
+    Scan scan = sampled(car("model1"), sample_points, 1.0, draw);
+    double low = 1e9;
+    for (const Vector3d& point : scan.points) low = std::min(low, point.z());
+    const std::size_t of_car = scan.points.size();
+    add_uneven_ground(scan, below - low, draw);
+    const AlignResult result = align_scan(scan, start);
+    EXPECT_EQ(result.missing_end, MissingEnd::none);
+    EXPECT_EQ(scan_above(scan, result.pose, result.floor_mm).points.size(), of_car) << below;
+  }
+}
+
+TEST(AlignScan, HasNoFloorWithoutGround) {
+  SampleDraw draw(1);
+  const Scan scan = sampled(car("model1"), sample_points, 1.0, draw);
+  const AlignResult result = align_scan(scan, car("template"));
+  EXPECT_EQ(scan_above(scan, result.pose, result.floor_mm).points, scan.points);
 }
 
 TEST(AlignScan, NamesAnEndThatIsCutOffAndStandsInForIt) {
