@@ -103,8 +103,8 @@ std::string nose_words(const model::Model& start, const io::PlacedViews& placed)
   std::string words;
   for (const model::View view : found.reversed) {
     words += fmt::format(
-        "\nTHE VIEW {0} LOOKS AS IF ITS NOSE POINTED THE OTHER WAY{1}: where the drawing has it on "
-        "the right, write {0}=FILE:nose-right.",
+        "\nTHE VIEW {0} LOOKS AS IF ITS NOSE POINTED THE OTHER WAY{1}: write {0}=FILE:nose-right "
+        "where the drawing has it on the right, and leave that out where it has it on the left.",
         model::view_name(view),
         found.as_said.empty() ? ""
                               : ", unlike the view " + model::view_name(found.as_said.front()));

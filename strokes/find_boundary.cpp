@@ -12,7 +12,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t fewest_strokes = 3, most_strokes = 16;
+constexpr std::size_t fewest_strokes = 3;
+// Short loops first: among many strokes the search for long ones is not finished.
+constexpr std::size_t most_strokes[] = {4, 8, 16};
 constexpr double widest_gap = 0.1;      // of the diagonal
 constexpr double enclosed_share = 0.9;  // of the points of other strokes
 constexpr double tail_part = 0.25;      // of a stroke's length, in which a crossing is looked for
@@ -69,10 +71,15 @@ class LoopSearch {
 
   std::vector<Loop> run() {
     used_.assign(strokes_.size(), false);
-    for (int stroke = 0; stroke < static_cast<int>(strokes_.size()); ++stroke) {
-      first_ = stroke;
-      path_ = {2 * stroke};
-      follow();
+    for (const std::size_t most : most_strokes) {
+      most_ = most;
+      steps_ = 0;
+      for (int stroke = 0; stroke < static_cast<int>(strokes_.size()); ++stroke) {
+        first_ = stroke;
+        path_ = {2 * stroke};
+        follow();
+      }
+      fewest_ = most + 1;
     }
     keep_largest();
     return std::move(loops_);
@@ -84,8 +91,8 @@ class LoopSearch {
     if (++steps_ > most_steps) return;
     const int far_end = path_.back() ^ 1;
     for (const int next : neighbours_[far_end]) {
-      if (next == 2 * first_ && path_.size() >= fewest_strokes) enter_loop();
-      if (next / 2 <= first_ || used_[next / 2] || path_.size() >= most_strokes) continue;
+      if (next == 2 * first_ && path_.size() >= fewest_) enter_loop();
+      if (next / 2 <= first_ || used_[next / 2] || path_.size() >= most_) continue;
       used_[next / 2] = true;
       path_.push_back(next);
       follow();
@@ -114,6 +121,7 @@ class LoopSearch {
   std::vector<bool> used_;
   std::vector<int> path_;
   std::vector<Loop> loops_;
+  std::size_t fewest_ = fewest_strokes, most_ = 0;  // strokes of a loop
   int first_ = 0;
   long steps_ = 0;
 };

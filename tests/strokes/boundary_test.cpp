@@ -162,6 +162,18 @@ TEST(FindBoundary, CountsSidesThatOvershootTheirCorners) {
   EXPECT_TRUE(find_boundary(all, 5.0));
 }
 
+TEST(FindBoundary, OfARectangleAmongManyStrokesThatCrossAndEndOnIt) {
+  std::vector<Points> all = rectangle(1000, 600, 12);
+  for (int k = 1; k <= 60; ++k) {
+    all.push_back(line({1000.0 * k / 61.0, 0, 0}, {1000.0 * k / 61.0, 600, 0}, 9));
+    all.push_back(line({0, 600.0 * k / 61.0, 0}, {1000, 600.0 * k / 61.0, 0}, 9));
+  }
+  auto found = find_boundary(all, 5.0);
+  ASSERT_TRUE(found);
+  std::sort(found->begin(), found->end());
+  EXPECT_EQ(*found, (std::vector<int>{0, 1, 2, 3}));
+}
+
 TEST(FindBoundary, NoneWhereOneSideIsMissing) {
   std::vector<Points> all = rectangle(1000, 600, 12);
   all.pop_back();
