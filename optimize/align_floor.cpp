@@ -20,8 +20,8 @@ constexpr double layer = 60.0, layer_step = 20.0;
 constexpr double ground_cover = 0.45;
 constexpr double cell = 150.0;  // mm, of the area
 // What lies so much lower than the stretched shape, mm, is ground or wheels, when it is this part
-// of the points or more; the pose need not be level with it yet.
-constexpr double below_car = 100.0, below_share = 0.02;
+// of the points and of the area or more; the pose need not be level with it yet.
+constexpr double below_car = 100.0, below_share = 0.02, below_cover = 0.25;
 
 std::vector<Vector3d> placed(const AlignCloud& cloud, const Placement& placement) {
   std::vector<Vector3d> points;
@@ -58,7 +58,9 @@ double floor_under(const AlignCloud& cloud, const BodySamples& shape, const Plac
   const std::vector<Vector3d> points = placed(cloud, placement);
   const double area = extents.x() * extents.y();
   double floor = -std::numeric_limits<double>::infinity();
-  if (double(between(points, floor, low - below_car).size()) > below_share * double(points.size()))
+  const std::vector<Vector3d> below = between(points, floor, low - below_car);
+  if (double(below.size()) > below_share * double(points.size()) &&
+      covered_area(below) > below_cover * area)
     floor = low - below_car;
   for (double from = low - search_below; from < low + search_above; from += layer_step)
     if (covered_area(between(points, from, from + layer)) > ground_cover * area)

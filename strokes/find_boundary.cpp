@@ -40,9 +40,10 @@ Tail make_tail(const Points& stroke, bool back) {
   return tail;
 }
 
-bool meet(const Tail& a, const Tail& b, double gap) {
+bool meet(const Tail& a, const Tail& b, double gap, bool crossings) {
   if (a.box.squaredExteriorDistance(b.box) > gap * gap) return false;
   if ((a.points.front() - b.points.front()).norm() <= gap) return true;
+  if (!crossings) return false;
   for (std::size_t i = 0; i + 1 < a.points.size(); ++i)
     for (std::size_t j = 0; j + 1 < b.points.size(); ++j)
       if (segment_approach(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]).distance <=
@@ -56,14 +57,16 @@ struct Loop {
   double area = 0.0;
 };
 
-/// All loops for one gap, as far as the steps go.
+/// All loops for one gap, as far as the steps go; with crossings strokes need not end where they
+/// meet.
 class LoopSearch {
  public:
-  LoopSearch(const std::vector<Points>& strokes, const std::vector<Tail>& tails, double gap)
+  LoopSearch(const std::vector<Points>& strokes, const std::vector<Tail>& tails, double gap,
+             bool crossings)
       : strokes_(strokes), neighbours_(tails.size()) {
     for (int a = 0; a < static_cast<int>(tails.size()); ++a)
       for (int b = a + 1; b < static_cast<int>(tails.size()); ++b)
-        if (a / 2 != b / 2 && meet(tails[a], tails[b], gap)) {
+        if (a / 2 != b / 2 && meet(tails[a], tails[b], gap, crossings)) {
           neighbours_[a].push_back(b);
           neighbours_[b].push_back(a);
         }
@@ -180,11 +183,14 @@ std::optional<std::vector<int>> find_boundary(const std::vector<Points>& strokes
     for (const bool back : {false, true}) tails.push_back(make_tail(stroke, back));
   const double widest = std::max(threshold, widest_gap * diagonal(strokes));
   for (double gap = threshold; gap <= widest; gap *= 2.0) {
-    for (const Loop& loop : LoopSearch(strokes, tails, gap).run()) {
-      if (!(loop.area > gap * gap) || !encloses_others(strokes, loop, gap)) continue;
-      std::vector<int> members;
-      for (const int end : loop.ends) members.push_back(end / 2);
-      return members;
+    // Among many strokes most cross each other: loops of their ends are looked for first.
+    for (const bool crossings : {false, true}) {
+      for (const Loop& loop : LoopSearch(strokes, tails, gap, crossings).run()) {
+        if (!(loop.area > gap * gap) || !encloses_others(strokes, loop, gap)) continue;
+        std::vector<int> members;
+        for (const int end : loop.ends) members.push_back(end / 2);
+        return members;
+      }
     }
   }
   return std::nullopt;
