@@ -24,6 +24,7 @@
 
 #include "io/export_sides.hpp"
 #include "io/export_spline.hpp"
+#include "model/face_net.hpp"
 
 namespace bodyline::io {
 namespace {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "model/bernstein.hpp"
+#include "model/face_net.hpp"
 
 namespace bodyline::io {
 namespace {
@@ -154,19 +155,6 @@ std::vector<Eigen::Vector3d> side_points(const model::Surface& surface, Side sid
       points.push_back(surface.point(k, side == Side::v0 ? 0 : surface.degree_v));
   }
   return points;
-}
-
-std::array<int, 2> side_corners(Side side) {
-  switch (side) {
-    case Side::u0:
-      return {0, 3};
-    case Side::u1:
-      return {1, 2};
-    case Side::v0:
-      return {0, 1};
-    default:
-      return {3, 2};
-  }
 }
 
 Eigen::Vector2d side_parameters(Side side, double fraction) {

@@ -39,10 +39,6 @@ struct SideGraph {
 /// and u1).
 std::vector<Eigen::Vector3d> side_points(const model::Surface& surface, model::Side side);
 
-/// The two ends of a side as positions in SideGraph::face_vertex, in the direction of its running
-/// parameter.
-std::array<int, 2> side_corners(model::Side side);
-
 /// The parameters (u, v) at a fraction of the way along a side.
 Eigen::Vector2d side_parameters(model::Side side, double fraction);
 

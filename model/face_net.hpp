@@ -27,6 +27,10 @@ struct SplineFace {
   const Eigen::Vector3d& point(int i, int j) const { return net[i * count_v() + j]; }
 };
 
+/// Positions of the two ends of a side among the corners of a face (u, v) = (0,0), (1,0), (1,1),
+/// (0,1), in the direction of its running parameter.
+std::array<int, 2> side_corners(Side side);
+
 /// A curve that one face has as (part of) a side, or two share.
 struct NetEdge {
   SplineCurve curve;

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "optimize/align_box.hpp"
@@ -18,6 +17,7 @@
 #include "optimize/align_search.hpp"
 #include "optimize/align_symmetry.hpp"
 #include "optimize/align_unit.hpp"
+#include "optimize/align_words.hpp"
 #include "optimize/body_samples.hpp"
 #include "optimize/quantile.hpp"
 
@@ -34,8 +34,6 @@ constexpr double fine_spacing = 60.0;
 
 constexpr double least_partners = 0.35;
 constexpr double side_ratio = 0.35;  // of the covered samples on the two sides
-
-constexpr double worth_a_word = 0.92;  // doubt
 
 constexpr double near_floor = 10.0;  // mm: a scan has points lower than those that are looked at
 
@@ -189,54 +187,6 @@ void judge(const AlignCloud& cloud, const BodySamples& shape, const Placement& p
   result.cover = score.samples * (result.missing == MissingSide::none ? 1.0 : 2.0);
 }
 
-const char* side_words(MissingSide side) {
-  if (side == MissingSide::none) return "both sides are there";
-  return side == MissingSide::left ? "the left side is missing" : "the right side is missing";
-}
-
-std::string end_words(MissingEnd end, const std::string& reference) {
-  if (end == MissingEnd::none) return "";
-  const std::string which = end == MissingEnd::front  ? "FRONT OF THE CAR IS"
-                            : end == MissingEnd::rear ? "REAR OF THE CAR IS"
-                                                      : "FRONT AND REAR OF THE CAR ARE";
-  return "THE " + which +
-         " NOT IN THE SCAN: length, overhang and wheelbase cannot be told from it; a fit gives "
-         "what is missing the proportions of " +
-         reference + ".";
-}
-
-std::string warning_of(const AlignResult& result, const std::string& reference) {
-  std::string words = end_words(result.missing_end, reference);
-  if (result.pose_is_doubtful)
-    words += std::string(words.empty() ? "" : " ") +
-             "AT THE GIVEN POSE THE SCAN DOES NOT LIE LIKE A CAR: look at the result.";
-  return words;
-}
-
-std::string described(const AlignResult& result, const std::string& reference) {
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "The unit is %s. %.0f %% of the points lie on %.80s stretched to the scan, and they "
-      "cover %.0f %% of it; %s.",
-      result.unit.c_str(), 100.0 * result.fit, reference.c_str(), 100.0 * result.coverage,
-      side_words(result.missing));
-  std::string words = text;
-  if (result.ground > 0.0) {
-    std::snprintf(text, sizeof text, " %.0f %% of the points lie on the ground and are left out.",
-                  100.0 * result.ground);
-    words += text;
-  }
-  if (result.symmetry_mm > 0.0) {
-    std::snprintf(text, sizeof text, " Left and right differ by %.1f mm.", result.symmetry_mm);
-    words += text;
-  }
-  if (!result.warning.empty()) words += " " + result.warning;
-  if (result.doubt > worth_a_word)
-    words += " Another orientation fits nearly as well: look at the result, or give the pose.";
-  return words;
-}
-
 /// A search and what speaks for it.
 struct Found {
   Placement placement;
@@ -351,8 +301,8 @@ AlignResult align_scan(const model::Scan& scan, const model::Model& start,
   result.pose.rotation = placement.rotation;
   result.pose.translation = placement.translation;
   for (Vector3d& point : result.beyond_end.points) point /= car.unit.mm;
-  result.warning = warning_of(result, options.reference);
-  result.words = described(result, options.reference);
+  result.warning = align_warning(result, options.reference);
+  result.words = align_words(result, options.reference);
   return result;
 }
 

@@ -13,13 +13,6 @@ using model::NetFace;
 using model::NetSidePart;
 using model::Side;
 
-/// Positions in NetFace::corners of the ends of a side, in the direction of its running parameter.
-std::array<int, 2> side_corners(Side side) {
-  if (side == Side::u0) return {0, 3};
-  if (side == Side::u1) return {1, 2};
-  return side == Side::v0 ? std::array{0, 1} : std::array{3, 2};
-}
-
 void mirror(FaceNet& net) {
   const auto turn = [](std::vector<Eigen::Vector3d>& points) {
     for (Eigen::Vector3d& point : points) point.y() = -point.y();
@@ -52,7 +45,7 @@ class Replacement {
   void append_vertices(const FaceNet& parts) {
     vertex_.assign(parts.vertices.size(), -1);
     for (const BorderPart& part : border_) {
-      const auto corners = side_corners(part.side);
+      const auto corners = model::side_corners(part.side);
       const model::NetEdge& edge = parts.edges[part.edge];
       const int first = part.reversed ? edge.end : edge.start,
                 last = part.reversed ? edge.start : edge.end;

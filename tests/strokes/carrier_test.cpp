@@ -9,7 +9,7 @@
 #include "strokes/base_net.hpp"
 #include "strokes/fit_carrier.hpp"
 #include "strokes/fit_stroke.hpp"
-#include "strokes/inner_spline.hpp"
+#include "tests/strokes/expect_derivatives.hpp"
 #include "tests/strokes/stroke_samples.hpp"
 
 namespace bodyline::strokes {
@@ -17,12 +17,10 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using test::expect_derivatives;
 
 // Sums of a few dozen products of numbers up to 1000.
 constexpr double rounding_mm = 1e-10;
-constexpr double step = 1e-4;
-// Central differences of waves of a few hundred mm, and their rounding over step^2.
-constexpr double difference_error = 1e-4;
 
 std::vector<model::SplineCurve> random_loop(std::uint64_t seed, std::size_t sides) {
   for (;; ++seed) {
@@ -33,22 +31,6 @@ std::vector<model::SplineCurve> random_loop(std::uint64_t seed, std::size_t side
     for (const Points& side : loop) curves.push_back(fit_stroke(side, 1.0).curve);
     return curves;
   }
-}
-
-void expect_derivatives(const SurfaceFunction& surface, const Vector2d& place) {
-  const auto at = [&](double s, double t) { return surface(place + step * Vector2d(s, t)).point; };
-  const PatchJet jet = surface(place);
-  const auto expect = [](const Vector3d& difference, const Vector3d& derivative) {
-    EXPECT_LE((difference - derivative).norm(), difference_error * (1.0 + derivative.norm()));
-  };
-  expect((at(1, 0) - at(-1, 0)) / (2 * step), jet.s);
-  expect((at(0, 1) - at(0, -1)) / (2 * step), jet.t);
-  const auto first = [&](double s, double t) { return surface(place + step * Vector2d(s, t)); };
-  expect((first(1, 0).s - first(-1, 0).s) / (2 * step), jet.ss);
-  expect((first(0, 1).s - first(0, -1).s) / (2 * step), jet.st);
-  expect((first(1, 0).t - first(-1, 0).t) / (2 * step), jet.st);
-  expect((first(0, 1).t - first(0, -1).t) / (2 * step), jet.tt);
-  EXPECT_GT(jet.ss.norm() + jet.st.norm() + jet.tt.norm(), 1.0);
 }
 
 TEST(BlendedSurface, FollowsItsBorder) {
@@ -303,54 +285,5 @@ TEST(FitCarrier, KeepsABumpyBaseFarFromALiftedStroke) {
       EXPECT_LE((fit.carrier.jet(place).point - base.jet(place).point).norm(), far_mm) << fair;
   }
 }
-
-InnerSpline::Node wave(double s, double t) {
-  const double b = 16.0 * s * s * (1 - s) * (1 - s) * t * t * (1 - t) * (1 - t);
-  const double bs = 32.0 * s * (1 - s) * (1 - 2 * s) * t * t * (1 - t) * (1 - t);
-  const double bt = 32.0 * t * (1 - t) * (1 - 2 * t) * s * s * (1 - s) * (1 - s);
-  const double bst = 64.0 * s * (1 - s) * (1 - 2 * s) * t * (1 - t) * (1 - 2 * t);
-  const Vector3d d(10, -20, 30);
-  return {b * d, bs * d, bt * d, bst * d};
-}
-
-TEST(InnerSpline, InterpolatesAndVanishesOnTheBorder) {
-  const InnerSpline spline(4, wave);
-  const auto at_node = spline.jet(0.25, 0.5);
-  const InnerSpline::Node node = wave(0.25, 0.5);
-  EXPECT_LE((at_node.row(0).transpose() - node.value).norm(), 1e-12);
-  EXPECT_LE((at_node.row(1).transpose() - node.s).norm(), 1e-12);
-  EXPECT_LE((at_node.row(4).transpose() - node.st).norm(), 1e-11);
-  EXPECT_GT(node.st.norm() + node.s.norm(), 0.1);
-  for (const double x : {0.1, 0.5, 0.93}) {
-    EXPECT_EQ(spline.jet(x, 0.0).topRows<3>().norm(), 0.0);
-    EXPECT_EQ(spline.jet(1.0, x).topRows<3>().norm(), 0.0);
-  }
-}
-
-TEST(InnerSpline, DerivativesAreThoseOfThePoints) {
-  const InnerSpline spline(4, wave);
-  expect_derivatives(
-      [&](const Vector2d& place) {
-        const auto jet = spline.jet(place.x(), place.y());
-        return PatchJet{jet.row(0), jet.row(1), jet.row(2), jet.row(3), jet.row(4), jet.row(5)};
-      },
-      {0.33, 0.61});
-}
-
-TEST(InnerSpline, ItsBezierPointsAreTheSpline) {
-  const InnerSpline spline(4, wave);
-  model::FaceNet net;
-  const std::vector<double> breaks_s{0.0, 0.25, 0.4, 0.5, 0.75, 1.0};
-  net.faces.push_back(
-      {{"", 5, 4, breaks_s, spline.breaks(), spline.points(5, breaks_s, 4, spline.breaks())},
-       {},
-       {},
-       false});
-  const auto pieces = model::bezier_faces(net);
-  // Piece 2 in s (0.4 to 0.5) and 1 in t.
-  const Vector3d point = model::jet(pieces[2 * 4 + 1], 0.5, 0.5, 0).d[0];
-  EXPECT_LE((point - spline.jet(0.45, 0.375).row(0).transpose()).norm(), 1e-12);
-}
-
 }  // namespace
 }  // namespace bodyline::strokes
