@@ -28,6 +28,7 @@ FitRound first_round(const FitOptions& options, int nodes_per_direction) {
   round.fold_weight = options.fold;
   round.nodes = nodes_per_direction;
   round.rims = options.rims;
+  round.edges = options.edges;
   return round;
 }
 
@@ -106,6 +107,7 @@ void FitRounds::unfold(FitPhase& phase) {
     round.fold_weight *= fold_growth;
     round.fold.cosine += fold_cosine_step;
     round.rims *= rims_decay;
+    round.edges *= rims_decay;
     one_round(phase, "unfold", k, options_->unfold_rounds, round);
     const model::Model model = phase.model();
     std::vector<std::string> folded = find_folded_faces(model);
