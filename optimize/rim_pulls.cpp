@@ -21,7 +21,8 @@ constexpr double direction_length = 150;  // mm that a difference of 1 between d
 constexpr double facing_alike = 0.6;      // least cosine between directions away from rim and edge
 constexpr double turned_alike = 0.7;      // and between normals
 constexpr double far_off = 2.0;           // edges farther than this many reaches are no one's
-constexpr double sparse = 4.0;  // so many tolerances along a rim without an edge are its end
+constexpr double sparse = 4.0;      // so many tolerances along a rim without an edge are its end
+constexpr double most_move = 15.0;  // mm of a rim in one go: the surface behind it must keep up
 
 std::vector<OrientedTree::Key> scan_keys(const model::Scan& scan) {
   std::vector<OrientedTree::Key> keys;
@@ -93,11 +94,12 @@ struct Collector {
     match.v = sample.v;
     match.foot = sample.position;
     match.normal = sample.normal;
-    const Vector3d offset = draw.target - sample.position;
-    const double squared = offset.dot(draw.directions * offset);
-    match.distance = std::sqrt(std::max(squared, 0.0));
+    const Vector3d way = draw.directions * (draw.target - sample.position);
+    match.distance = way.norm();
+    const double share = match.distance > most_move ? most_move / match.distance : 1.0;
     matches.push_back(match);
-    pulls.push_back({draw.target, weight * geman_mcclure(squared, reach) * draw.directions});
+    pulls.push_back({sample.position + share * way,
+                     weight * geman_mcclure(way.squaredNorm(), reach) * draw.directions});
   }
 };
 
@@ -156,8 +158,8 @@ std::vector<RimSample> RimPuller::State::samples(const double* nets) const {
 }
 
 std::optional<Draw> RimPuller::State::to_edge(const RimSample& sample, double reach) const {
-  const auto near = edge_tree.nearest_one(
-      OrientedTree::key(sample.position, sample.outward, direction_length));
+  const auto near =
+      edge_tree.nearest_one(OrientedTree::key(sample.position, sample.outward, direction_length));
   if (!near) return std::nullopt;
   const ScanEdge& edge = (*edges)[*near];
   const Vector3d offset = edge.point - sample.position;
@@ -172,8 +174,7 @@ std::optional<Draw> RimPuller::State::back_to_scan(const RimSample& sample) cons
   const auto near =
       scan_tree.nearest_one(OrientedTree::key(sample.position, normal, direction_length));
   if (!near) return std::nullopt;
-  const double beyond =
-      -(scan->points[*near] - sample.position).dot(sample.outward) - tolerance;
+  const double beyond = -(scan->points[*near] - sample.position).dot(sample.outward) - tolerance;
   if (!(beyond > 0.0)) return std::nullopt;
   return Draw{sample.position - beyond * sample.outward,
               sample.outward * sample.outward.transpose()};

@@ -15,10 +15,10 @@ struct ScanEdge {
 };
 
 struct ScanEdgeOptions {
-  int neighbours = 32;      ///< of a point, that tell whether it is at an edge
-  double least_gap = 120;   ///< between them, as the point sees them, degrees
-  double hole = 100;        ///< widest hole whose near edge is left out, since the far one counts, mm
-  double sideways = 0.7;    ///< least y of the normal: bumpers end in lips and openings of all kinds
+  int neighbours = 32;     ///< of a point, that tell whether it is at an edge
+  double least_gap = 120;  ///< between them, as the point sees them, degrees
+  double hole = 100;      ///< widest hole whose near edge is left out, since the far one counts, mm
+  double sideways = 0.7;  ///< least y of the normal: bumpers end in lips and openings of all kinds
   std::size_t most = 4000;  ///< edges, taken evenly
 };
 

@@ -14,6 +14,7 @@ namespace bodyline::optimize {
 namespace {
 
 constexpr int following_steps = 3;
+constexpr double rims_look = 2.0;  // so much farther for the scan's end as points for a rim
 
 class ScanFitTarget : public FitTarget {
  public:
@@ -52,8 +53,8 @@ void ScanFitTarget::match(const double* nets, const FitRound& round) {
   std::vector<Match> rim_matches;
   std::vector<MatchPull> rim_pulls;
   const double count = double(scan_->points.size());
-  puller_.append(nets, {round.reach.rim, round.rims * count, round.edges * count}, rim_matches,
-                 rim_pulls);
+  puller_.append(nets, {rims_look * round.reach.rim, round.rims * count, round.edges * count},
+                 rim_matches, rim_pulls);
   merge_moments(collect_moments(*faces_, *kernels_, rim_matches, rim_pulls), moments);
   term_->set(moments);
 }

@@ -141,8 +141,7 @@ TEST(ScanEdges, OfAScannedBodyAreItsRims) {
   const CarNets car(model::Stage::body);
   SimulateOptions scanner;
   scanner.points = 200000;
-  const model::Scan scan =
-      folded_scan(simulate_scan(car.car, scanner), {}, scanner.points).scan;
+  const model::Scan scan = folded_scan(simulate_scan(car.car, scanner), {}, scanner.points).scan;
   const std::vector<ScanEdge> edges = scan_edges(scan);
   std::vector<RimSample> rims;
   const auto& faces = car.context->plan.faces(car.stage);
