@@ -190,9 +190,9 @@ void RimPuller::State::pull_edges(const std::vector<RimSample>& samples, double 
     const RimSample& sample = samples[*near];
     const double t =
         sample.t + (edge.point - sample.position).dot(sample.along) / sample.along.squaredNorm();
-    const double on_rim = std::clamp(t, 0.0, 1.0);
-    const bool at_end = std::abs(t - on_rim) > sample_spacing;
-    collector.add(moved(sample, on_rim), draw_to(edge.point, sample.along, at_end), each);
+    // What lies past its ends is not the rim's: pulled round a corner, the patch would fold there.
+    if (t < 0.0 || t > 1.0) continue;
+    collector.add(moved(sample, t), draw_to(edge.point, sample.along, false), each);
   }
 }
 

@@ -19,11 +19,10 @@ struct RimPullOptions {
 
 /// Matches of points on the body's rims, and pulls that bring the rims to the edges of a scan, both
 /// ways and square to the rim: every edge draws the nearest rim that faces the same way, and every
-/// point of a rim is drawn to the nearest such edge. Where rim or edge ends and the other goes on
-/// they pull along the rim, too, so that corners find theirs. A point without an edge is drawn back
-/// to where the scan ends. No pull is longer than a few millimetres: surfaces must keep up, and
-/// matches follow. (Where the scan goes on beyond a rim its own points draw the rim out,
-/// see ScanFollower.)
+/// point of a rim is drawn to the nearest such edge; along the rim, too, where the edge ends before
+/// it, so that corners find theirs. A point without an edge is drawn back to where the scan ends. No
+/// pull is longer than some millimetres: surfaces must keep up, and matches follow. (Where the scan
+/// goes on beyond a rim its own points draw the rim out, see ScanFollower.)
 class RimPuller {
  public:
   /// `scan` is folded and has normals; it, the plan and the edges must outlive the puller.
