@@ -178,7 +178,7 @@ TEST_P(FitRealCar, MeetsItsPanelsAndWheelArchesWithoutFolds) {
   EXPECT_LE(panels.median, median);
   EXPECT_LE(panels.p90, GetParam().p90);
   EXPECT_TRUE(result.folded_faces.empty());
-  constexpr double arch = 15.0;  // mm; the edge itself is told to some
+  constexpr double arch = 20.0;  // mm, of which some are how well the scan tells its end
   const auto gaps = arch_gaps(result.model, measure_deviation(result.model, scan, aligned.pose));
   EXPECT_EQ(gaps.size(), 6U);
   for (const ArchGap& gap : gaps)
