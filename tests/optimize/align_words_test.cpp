@@ -60,7 +60,7 @@ TEST(AlignScan, AFlatSideOfTheCarIsNoGroundAtAGivenPose) {
     scan.points.emplace_back(2300.0 + 800.0 * place.x(), side, 350.0 + 150.0 * place.z());
   }
   AlignOptions options;
-  options.pose = Pose{};
+  options.pose = model::Pose{};
   const AlignResult result = align_scan(scan, car("template"), options);
   EXPECT_EQ(result.ground, 0.0);
   EXPECT_EQ(result.words.find("ground"), std::string::npos);
