@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
 
+#include "model/evaluator.hpp"
 #include "optimize/fit_rounds.hpp"
 
 namespace bodyline::optimize {
@@ -28,7 +32,10 @@ std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
 
 bool closer(const FitRounds* a, const FitRounds* b) { return a->closer_than(*b); }
 
-bool is_estate(const FitStart& start) { return start.estate > 0.5; }
+bool is_estate(const FitStart& start) {
+  constexpr double half_way = 0.5;
+  return start.estate > half_way;
+}
 
 // Two of the closest, and the closest of the other kind, saloon or estate car, when both are of
 // one: what is closest with whole patches need not be with the closed body.
@@ -63,21 +70,24 @@ double patch_bending(const model::Model& model) {
   return evaluator.evaluate(evaluator.start(), nullptr);
 }
 
-// Of bodies about as close the one counts whose patches bend less: they lie where the car's do.
-// A roof drawn over the rear window, say, may come as close.
+// Of two bodies the closer one, unless its patches bend much more: by half more for every tenth of
+// the misfit. A roof drawn over the rear window may come as close as one that ends where the car's
+// does, but it bends.
 struct Ending {
   FitRounds* rounds;
+  bool usable;
   std::size_t folds;
   double cost;
 
   explicit Ending(FitRounds* end)
-      : rounds(end),
-        folds(end->folded_faces().size()),
-        cost(end->misfit() * end->misfit() * std::sqrt(patch_bending(end->model()))) {}
+      : rounds(end), usable(end->usable()), folds(end->folded_faces().size()) {
+    cost = end->misfit() * end->misfit() * std::sqrt(patch_bending(end->model()));
+    if (!std::isfinite(cost)) cost = std::numeric_limits<double>::infinity();
+  }
 
   bool comes_before(const Ending& other) const {
+    if (usable != other.usable) return usable;
     if (folds != other.folds) return folds < other.folds;
-    if (!std::isfinite(cost) || !std::isfinite(other.cost)) return closer(rounds, other.rounds);
     return cost < other.cost;
   }
 };

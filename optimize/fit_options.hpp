@@ -31,8 +31,8 @@ struct FitOptions {
   Algorithm algorithm = Algorithm::nlopt_lbfgs;  ///< of the search in a round
   double bending = 5e-3;                         ///< weight of the bending energy
   double fold = 1e3;                             ///< weight of the barrier against folds
-  double stay = 3e-5;   ///< weight of the mean squared move of the base nets in a round
-  double rims = 0.025;   ///< weight of all rims together, as a share of the scan's points
+  double stay = 3e-5;    ///< weight of the mean squared move of the base nets in a round
+  double rims = 0.025;   ///< weight of all rims in each direction, as a share of the scan's points
   double edges = 0.025;  ///< and of all edges of the scan
   model::VariableBounds bounds;
   std::function<void(const FitProgress&)> on_progress;  ///< of one start; may be empty

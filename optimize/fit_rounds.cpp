@@ -66,10 +66,10 @@ FitPhase FitRounds::phase(model::Stage stage, std::vector<std::string> vary, dou
   return FitPhase(model_, *targets_, phase);
 }
 
+bool FitRounds::usable() const { return !failed_ && std::isfinite(misfit_); }
+
 bool FitRounds::closer_than(const FitRounds& other) const {
-  const bool usable = !failed_ && std::isfinite(misfit_);
-  const bool other_usable = !other.failed_ && std::isfinite(other.misfit_);
-  return usable != other_usable ? usable : usable && misfit_ < other.misfit_;
+  return usable() != other.usable() ? usable() : usable() && misfit_ < other.misfit_;
 }
 
 void FitRounds::one_round(FitPhase& phase, const std::string& name, int index, int rounds,

@@ -26,11 +26,8 @@ constexpr double most_move = 15.0;  // mm of a rim in one go: the surface behind
 
 std::vector<OrientedTree::Key> scan_keys(const model::Scan& scan) {
   std::vector<OrientedTree::Key> keys;
-  for (std::size_t k = 0; k < scan.points.size(); ++k) {
-    keys.push_back(OrientedTree::key(
-        scan.points[k], scan.normals.empty() ? Vector3d(Vector3d::Zero()) : scan.normals[k],
-        direction_length));
-  }
+  for (std::size_t k = 0; k < scan.points.size(); ++k)
+    keys.push_back(OrientedTree::key(scan.points[k], scan.normals[k], direction_length));
   return keys;
 }
 
@@ -64,7 +61,7 @@ double point_spacing(const model::Scan& scan) {
 
 // Whether an edge may be where a rim should be.
 bool belong(const RimSample& sample, const ScanEdge& edge, double reach) {
-  return sample.outward.dot(edge.outward) > facing_alike &&
+  return sample.along.squaredNorm() > 0.0 && sample.outward.dot(edge.outward) > facing_alike &&
          sample.normal.dot(edge.normal) > turned_alike &&
          (edge.point - sample.position).norm() < far_off * reach;
 }
@@ -103,7 +100,7 @@ struct Collector {
   }
 };
 
-// The sample moved along its rim to the parameter t, straight on.
+// The sample moved along its rim to the parameter t; its position straight on, less than a mm off.
 RimSample moved(RimSample sample, double t) {
   sample.position += (t - sample.t) * sample.along;
   sample.t = t;
@@ -120,7 +117,7 @@ struct RimPuller::State {
   const std::vector<ScanEdge>* edges;
   std::vector<Rim> rims;
   OrientedTree scan_tree, edge_tree;
-  double tolerance = 0.0;  // the scan's points are not denser
+  double tolerance = 0.0;  // twice the spacing of the scan's points, mm
 
   std::vector<RimSample> samples(const double* nets) const;
   std::optional<Draw> to_edge(const RimSample& sample, double reach) const;
@@ -130,21 +127,9 @@ struct RimPuller::State {
 
 RimPuller::RimPuller(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan,
                      const std::vector<ScanEdge>& edges)
-    : state_(new State{&plan,
-                       stage,
-                       &scan,
-                       &edges,
-                       {},
-                       OrientedTree(scan_keys(scan)),
-                       OrientedTree(edge_keys(edges)),
-                       point_spacing(scan)}) {
-  const auto rims = rims_of(plan, stage);
-  for (int f = 0; f < int(rims.size()); ++f) {
-    for (const model::Side side : model::all_sides) {
-      if (rims[f][int(side)]) state_->rims.push_back({f, side});
-    }
-  }
-}
+    : state_(new State{&plan, stage, &scan, &edges, rim_list(plan, stage),
+                       OrientedTree(scan_keys(scan)), OrientedTree(edge_keys(edges)),
+                       point_spacing(scan)}) {}
 RimPuller::~RimPuller() = default;
 
 std::vector<RimSample> RimPuller::State::samples(const double* nets) const {
@@ -170,9 +155,8 @@ std::optional<Draw> RimPuller::State::to_edge(const RimSample& sample, double re
 }
 
 std::optional<Draw> RimPuller::State::back_to_scan(const RimSample& sample) const {
-  const Vector3d normal = scan->normals.empty() ? Vector3d(Vector3d::Zero()) : sample.normal;
   const auto near =
-      scan_tree.nearest_one(OrientedTree::key(sample.position, normal, direction_length));
+      scan_tree.nearest_one(OrientedTree::key(sample.position, sample.normal, direction_length));
   if (!near) return std::nullopt;
   const double beyond = -(scan->points[*near] - sample.position).dot(sample.outward) - tolerance;
   if (!(beyond > 0.0)) return std::nullopt;
@@ -191,7 +175,7 @@ void RimPuller::State::pull_edges(const std::vector<RimSample>& samples, double 
     const double t =
         sample.t + (edge.point - sample.position).dot(sample.along) / sample.along.squaredNorm();
     // What lies past its ends is not the rim's: pulled round a corner, the patch would fold there.
-    if (t < 0.0 || t > 1.0) continue;
+    if (!(t >= 0.0 && t <= 1.0)) continue;
     collector.add(moved(sample, t), draw_to(edge.point, sample.along, false), each);
   }
 }

@@ -17,6 +17,16 @@ std::vector<std::array<bool, 4>> rims_of(const model::BodyPlan& plan, model::Sta
   return rims;
 }
 
+std::vector<Rim> rim_list(const model::BodyPlan& plan, model::Stage stage) {
+  std::vector<Rim> list;
+  const auto rims = rims_of(plan, stage);
+  for (int f = 0; f < int(rims.size()); ++f) {
+    for (const model::Side side : model::all_sides)
+      if (rims[std::size_t(f)][int(side)]) list.push_back({f, side});
+  }
+  return list;
+}
+
 std::vector<RimSample> rim_samples(const Rim& rim, const model::Face& face, const double* net,
                                    int count) {
   // Steps away from the rim and along it give the directions; a patch is smooth on that scale.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Rim {
 /// and by model::Side; joints' and corners' faces have none.
 std::vector<std::array<bool, 4>> rims_of(const model::BodyPlan& plan, model::Stage stage);
 
+/// The rims of a stage, face by face.
+std::vector<Rim> rim_list(const model::BodyPlan& plan, model::Stage stage);
+
 /// A point of a rim.
 struct RimSample {
   Rim rim;
@@ -28,7 +32,8 @@ struct RimSample {
   Eigen::Vector3d along;     ///< derivative of the position by t, mm
 };
 
-/// Points of a rim evenly spaced in t, none at its ends; `face` is its face, and `net` that face's.
+/// `count` points, at least one, of a rim evenly spaced in t, none at its ends; `face` is its face,
+/// and `net` that face's.
 std::vector<RimSample> rim_samples(const Rim& rim, const model::Face& face, const double* net,
                                    int count);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "optimize/point_tree.hpp"
 
@@ -15,10 +17,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double turned_alike = 0.5;  // least cosine between normals of one surface
-constexpr int fewest_neighbours = 6;
-constexpr int step_neighbours = 96, step_points = 3;  // looked at behind an edge; that make a step
-constexpr int hole_neighbours = 256;                  // edges looked at beyond one
+constexpr double turned_alike = 0.5;  // least cosine between directions on one surface
+constexpr int fewest_neighbours = 6, most_neighbours = 1000;
+constexpr double unit_tolerance = 0.1;  // of the length of a normal: files round
+// Looked at behind an edge, and that make a step; edges looked at beyond one. They reach far enough
+// for the densities of `neighbours` and of 200,000 points of a car.
+constexpr int step_neighbours = 96, step_points = 3;
+constexpr int hole_neighbours = 256;
 
 // As shares of the distance of the farthest neighbour:
 constexpr double flat = 0.5;    // neighbours lie so near the tangent plane
@@ -102,7 +107,9 @@ bool at_step(const model::Scan& scan, const PointTree& tree, const ScanEdge& edg
 
 std::optional<ScanEdge> edge_at(const model::Scan& scan, const PointTree& tree, std::size_t at,
                                 const ScanEdgeOptions& options, Surroundings& around) {
-  if (std::abs(scan.normals[at].y()) < options.sideways) return std::nullopt;
+  const Vector3d& normal = scan.normals[at];
+  if (!(std::abs(normal.norm() - 1.0) < unit_tolerance)) return std::nullopt;  // not finite, too
+  if (-normal.y() < options.sideways) return std::nullopt;
   look_around(scan, tree, at, options.neighbours, around);
   if (int(around.offsets.size()) < fewest_neighbours) return std::nullopt;
   if (widest_gap(around.angles) < options.least_gap * std::numbers::pi / 180.0) return std::nullopt;
@@ -155,10 +162,14 @@ std::vector<ScanEdge> all_edges(const model::Scan& folded, const ScanEdgeOptions
 }  // namespace
 
 std::vector<ScanEdge> scan_edges(const model::Scan& folded, const ScanEdgeOptions& options) {
+  if (folded.normals.size() != folded.points.size())
+    throw std::invalid_argument("the edges of a scan need one normal a point");
+  if (options.neighbours < fewest_neighbours || options.neighbours > most_neighbours)
+    throw std::invalid_argument("neighbours of an edge of a scan must be from 6 to 1000");
   const std::vector<ScanEdge> edges = all_edges(folded, options);
   std::vector<Vector3d> points;
   for (const ScanEdge& edge : edges) points.push_back(edge.point);
-  const PointTree tree(points);
+  const PointTree tree(std::move(points));
   std::vector<char> inner(edges.size());
   for_each_index<std::vector<PointTree::Neighbour>>(
       edges.size(), [&](std::size_t k, std::vector<PointTree::Neighbour>& near) {

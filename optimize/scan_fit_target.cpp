@@ -14,7 +14,8 @@ namespace bodyline::optimize {
 namespace {
 
 constexpr int following_steps = 3;
-constexpr double rims_look = 2.0;  // so much farther for the scan's end as points for a rim
+// Rims look so many times farther for where the scan ends than its points look for rims.
+constexpr double rims_look = 2.0;
 
 class ScanFitTarget : public FitTarget {
  public:

@@ -13,7 +13,7 @@ struct ScanFitOptions {
 
 /// A scan as a target of a fit, its right half mirrored to the left. Its weight is 1: mean squared
 /// mm of its points, with `FitRound::rims` and `FitRound::edges` of them for the body's rims and
-/// the scan's edges; these count with closed bodies only, whose rims are near them. Throws
+/// the scan's edges; edges count with closed bodies only, whose rims are near them. Throws
 /// std::invalid_argument when the scan has no points or no normals, or the options ask for none.
 FitTargetMaker scan_fit_target(const model::Scan& scan, const model::Pose& pose,
                                const ScanFitOptions& options = {});

@@ -5,11 +5,15 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
 #include <random>
 
 #include "optimize/folded_scan.hpp"
-#include "optimize/rim_samples.hpp"
 #include "optimize/simulate_scan.hpp"
 #include "tests/optimize/car_nets.hpp"
 
@@ -18,13 +22,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double spacing = 8.0;  // of the points, mm
-constexpr double told = 2.0;     // so many spacings an edge may be off, for the points are random
+constexpr double spacing = 8.0;                       // of the points, mm
+constexpr double edge_error = 2.0;                    // so many spacings, for the points are random
+constexpr double middle_x = 750.0, middle_z = 300.0;  // of a plate, mm
 
-/// Points of upright plates beside the car, where `inside` says, at the depth that it says.
+/// Points of upright plates at y = `side`, where `inside` says, at the depth that it says.
 template <class Inside>
-model::Scan plate(const Inside& inside) {
-  constexpr double length = 1500.0, height = 600.0, side = -800.0;
+model::Scan plate(const Inside& inside, double side = -800.0) {
+  constexpr double length = 2.0 * middle_x, height = 2.0 * middle_z;
   std::mt19937 random(5);
   const auto uniform = [&](double most) {
     return most * double(random()) / double(std::mt19937::max());
@@ -49,7 +54,7 @@ struct Round {
 Round edges_around(const std::vector<ScanEdge>& edges, double radius) {
   Round found;
   for (const ScanEdge& edge : edges) {
-    const Vector3d to_middle(750.0 - edge.point.x(), 0.0, 300.0 - edge.point.z());
+    const Vector3d to_middle(middle_x - edge.point.x(), 0.0, middle_z - edge.point.z());
     if (to_middle.norm() > radius + 40.0) continue;
     ++found.count;
     found.farthest = std::max(found.farthest, std::abs(to_middle.norm() - radius));
@@ -60,7 +65,7 @@ Round edges_around(const std::vector<ScanEdge>& edges, double radius) {
 
 auto with_hole(double radius) {
   return [=](double x, double z) -> std::optional<double> {
-    if (std::hypot(x - 750.0, z - 300.0) < radius) return std::nullopt;
+    if (std::hypot(x - middle_x, z - middle_z) < radius) return std::nullopt;
     return 0.0;
   };
 }
@@ -68,8 +73,8 @@ auto with_hole(double radius) {
 TEST(ScanEdges, LieWhereThePointsEnd) {
   constexpr double radius = 150.0;
   const Round found = edges_around(scan_edges(plate(with_hole(radius))), radius);
-  EXPECT_GT(found.count, 2.0 * 3.14 * radius / (2.0 * spacing));
-  EXPECT_LT(found.farthest, told * spacing);
+  EXPECT_GT(found.count, 2.0 * std::numbers::pi * radius / (2.0 * spacing));
+  EXPECT_LT(found.farthest, edge_error * spacing);
 }
 
 TEST(ScanEdges, LeaveOutTheNearSideOfASlotThatIsNarrow) {
@@ -119,15 +124,70 @@ TEST(ScanEdges, AreNoneOnASurfaceWithoutEnd) {
   EXPECT_TRUE(scan_edges(ball).empty());
 }
 
-TEST(ScanEdges, AreNoneOfVeryFewPoints) {
-  for (const int count : {0, 1, 2, 5, 31}) {
-    model::Scan scan;
-    for (int k = 0; k < count; ++k) {
-      scan.points.emplace_back(0.0, -800.0, 0.0);  // all at one place
-      scan.normals.emplace_back(0.0, -1.0, 0.0);
-    }
-    EXPECT_TRUE(scan_edges(scan).empty()) << count;
+TEST(ScanEdges, AreNoneWhereNormalsPointAcrossTheCarTooLittleOrInwards) {
+  for (const Vector3d& normal : {Vector3d(0.9, -0.436, 0.0), Vector3d(0.0, 1.0, 0.0)}) {
+    model::Scan scan = plate(with_hole(150.0));
+    EXPECT_FALSE(scan_edges(scan).empty());
+    for (Vector3d& own : scan.normals) own = normal;
+    EXPECT_TRUE(scan_edges(scan).empty()) << normal.transpose();
   }
+}
+
+TEST(ScanEdges, AreNoneAtThePlaneOfSymmetry) {
+  EXPECT_TRUE(scan_edges(plate(with_hole(150.0), -5.0)).empty());
+}
+
+TEST(ScanEdges, AreNoneAlongACreaseThatTurnsALittle) {
+  const double slope = std::tan(30.0 * std::numbers::pi / 180.0);
+  model::Scan scan = plate([&](double, double z) -> std::optional<double> {
+    return z < middle_z ? 0.0 : slope * (z - middle_z);
+  });
+  for (std::size_t k = 0; k < scan.points.size(); ++k)
+    if (scan.points[k].z() > middle_z) scan.normals[k] = Vector3d(0.0, -1.0, slope).normalized();
+  for (const ScanEdge& edge : scan_edges(scan)) {
+    const bool inner = edge.point.x() > 100.0 && edge.point.x() < 2.0 * middle_x - 100.0;
+    EXPECT_FALSE(inner && std::abs(edge.point.z() - middle_z) < 100.0);
+  }
+}
+
+TEST(ScanEdges, AreNoneOfVeryFewPoints) {
+  for (const bool spread : {false, true}) {
+    for (const int count : {0, 1, 2, 5}) {
+      model::Scan scan;
+      for (int k = 0; k < count; ++k) {
+        scan.points.emplace_back(spread ? 10.0 * k * k : 0.0, -800.0, spread ? 10.0 * k : 0.0);
+        scan.normals.emplace_back(0.0, -1.0, 0.0);
+      }
+      EXPECT_TRUE(scan_edges(scan).empty()) << count;
+    }
+  }
+}
+
+TEST(ScanEdges, LeaveOutPointsWithoutAUsableNormal) {
+  model::Scan scan = plate(with_hole(150.0));
+  const std::size_t all = scan_edges(scan).size();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const std::array<Vector3d, 4> unusable{Vector3d::Zero(), Vector3d::Constant(inf),
+                                         Vector3d::Constant(inf - inf), Vector3d(0, -20, 0)};
+  for (std::size_t k = 0; k < scan.normals.size(); k += 9)
+    scan.normals[k] = unusable[(k / 9) % unusable.size()];
+  const std::vector<ScanEdge> edges = scan_edges(scan);
+  EXPECT_GT(edges.size(), all / 2);
+  for (const ScanEdge& edge : edges) {
+    EXPECT_TRUE(edge.point.allFinite() && edge.outward.allFinite());
+    EXPECT_NEAR(edge.normal.norm(), 1.0, 1e-9);
+  }
+}
+
+TEST(ScanEdges, RefuseAScanWithoutNormalsAndNumbersOfNeighboursThatMakeNoSense) {
+  model::Scan scan = plate(with_hole(150.0));
+  for (const int neighbours : {-1, 0, 5, 1001, std::numeric_limits<int>::max()}) {
+    ScanEdgeOptions options;
+    options.neighbours = neighbours;
+    EXPECT_THROW(scan_edges(scan, options), std::invalid_argument) << neighbours;
+  }
+  scan.normals.clear();
+  EXPECT_THROW(scan_edges(scan), std::invalid_argument);
 }
 
 /// The distance of the nearest point of a rim.
@@ -143,21 +203,11 @@ TEST(ScanEdges, OfAScannedBodyAreItsRims) {
   scanner.points = 200000;
   const model::Scan scan = folded_scan(simulate_scan(car.car, scanner), {}, scanner.points).scan;
   const std::vector<ScanEdge> edges = scan_edges(scan);
-  std::vector<RimSample> rims;
-  const auto& faces = car.context->plan.faces(car.stage);
-  const auto sides = rims_of(car.context->plan, car.stage);
-  for (int f = 0; f < int(sides.size()); ++f) {
-    for (const model::Side side : model::all_sides) {
-      if (!sides[f][int(side)]) continue;
-      const auto own = rim_samples({f, side}, faces[f], car.nets() + 3 * faces[f].net, 200);
-      rims.insert(rims.end(), own.begin(), own.end());
-    }
-  }
+  const std::vector<RimSample> rims = samples_of_rims(car, 200);
   ASSERT_GT(edges.size(), 300U);
-  std::size_t on_rims = 0;
-  for (const ScanEdge& edge : edges) on_rims += off_rims(rims, edge.point) < told * spacing;
+  std::size_t on_rims = 0;  // not all: those of transitions are no sample's
+  for (const ScanEdge& edge : edges) on_rims += off_rims(rims, edge.point) < edge_error * spacing;
   EXPECT_GT(double(on_rims), 0.95 * double(edges.size()));
-  // Rims of transitions are no sample's.
   for (const RimSample& rim : rims) {
     if (std::abs(rim.normal.y()) < 0.8) continue;
     double least = 1e9;
@@ -176,6 +226,7 @@ TEST(ScanEdges, HaveTheSameBitsForAnyNumberOfThreads) {
   ASSERT_EQ(one.size(), five.size());
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_EQ(one[k].point, five[k].point);
+    EXPECT_EQ(one[k].normal, five[k].normal);
     EXPECT_EQ(one[k].outward, five[k].outward);
   }
 }
