@@ -82,15 +82,20 @@ Prepared prepared(const model::Scan& scan, const AlignOptions& options) {
 }
 
 // The plane of the ground may be a flat side of the car: then its points lie on the shape.
-bool plane_is_car(const Prepared& prepared, const BodySamples& shape, const Candidate& candidate) {
+bool plane_is_car(const Prepared& prepared, const BodySamples& shape, const Placement& placement) {
   const auto on_shape = [&](const AlignCloud& cloud) {
     const AlignCloud few = thinned(cloud, settled_points);
-    return double(cloud.points.size()) *
-           points_score(few, shape, candidate.placement, shape_tolerance);
+    return double(cloud.points.size()) * points_score(few, shape, placement, shape_tolerance);
   };
   const double plane_points =
       double(prepared.cloud.points.size() - prepared.off_ground.points.size());
   return on_shape(prepared.cloud) - on_shape(prepared.off_ground) > 0.5 * plane_points;
+}
+
+void keep_plane_of_car(Prepared& prepared, const BodySamples& shape, const Placement& placement) {
+  if (!prepared.ground || !plane_is_car(prepared, shape, placement)) return;
+  prepared.ground = false;
+  prepared.off_ground = prepared.cloud;
 }
 
 // Tries the scan with and without what may be the ground; leaves the car in `off_ground`.
@@ -99,8 +104,7 @@ std::vector<Candidate> searched(Prepared& prepared, const BodySamples& shape) {
   if (!prepared.ground) return best;
   auto with_plane = search_placements(prepared.cloud, prepared.cloud, shape);
   if (with_plane.front().score.total() > best.front().score.total()) best = with_plane;
-  prepared.ground = !plane_is_car(prepared, shape, best.front());
-  if (!prepared.ground) prepared.off_ground = prepared.cloud;
+  keep_plane_of_car(prepared, shape, best.front().placement);
   return best;
 }
 
@@ -263,12 +267,15 @@ Found found_placement(const Prepared& car, const BodySamples& coarse, const Body
 // The given pose, judged.
 Placement given_placement(Prepared car, const BodySamples& fine, const AlignOptions& options,
                           AlignResult& result) {
-  const AlignCloud few = thinned(car.off_ground, settled_points);
   Placement given;
   given.rotation = options.pose->rotation;
   given.translation = options.pose->translation;
+  const auto stretched_to = [&](const AlignCloud& cloud) {
+    return registered(thinned(cloud, settled_points), fine, given, given_scales, stretches);
+  };
+  if (car.ground) keep_plane_of_car(car, fine, stretched_to(car.off_ground));
   settled(car.off_ground, fine, given, result);  // tells which side is missing
-  const Placement stretched = registered(few, fine, given, given_scales, stretches);
+  const Placement stretched = stretched_to(car.off_ground);
   if (set_aside_below(fine, stretched, car.off_ground)) car.ground = true;
   judge(car.off_ground, fine, stretched, result);
   find_missing_end(car.off_ground, fine, stretched, MissingEnd::none, result);

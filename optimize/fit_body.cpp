@@ -4,14 +4,16 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
 
+#include "model/evaluator.hpp"
 #include "optimize/fit_rounds.hpp"
 
 namespace bodyline::optimize {
 namespace {
-
-// What is closest with whole patches need not be with the closed body.
-constexpr std::size_t finalists = 2;
 
 // The first start tells its progress for all.
 std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
@@ -28,21 +30,79 @@ std::vector<FitRounds> approaches(const std::vector<FitTargetMaker>& targets,
   return all;
 }
 
-// Takes the closest to the end and returns the best of them, with the fewest folds.
-FitRounds& refined(std::vector<FitRounds>& all) {
-  const std::size_t count = std::min(finalists, all.size());
-  const auto closer = [](const FitRounds& a, const FitRounds& b) { return a.closer_than(b); };
-  std::stable_sort(all.begin(), all.end(), closer);
-  for (std::size_t k = 0; k < all.size(); ++k) all[k].tell(k == 0);
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
-    tbb::this_task_arena::isolate([&] { all[k].refine(); });
+bool closer(const FitRounds* a, const FitRounds* b) { return a->closer_than(*b); }
+
+bool is_estate(const FitStart& start) {
+  constexpr double half_way = 0.5;
+  return start.estate > half_way;
+}
+
+// Two of the closest, and the closest of the other kind, saloon or estate car, when both are of
+// one: what is closest with whole patches need not be with the closed body.
+std::vector<FitRounds*> finalists(std::vector<FitRounds>& all,
+                                  const std::vector<FitStart>& starts) {
+  constexpr std::size_t closest = 2;
+  std::vector<FitRounds*> best;
+  for (FitRounds& rounds : all) best.push_back(&rounds);
+  std::stable_sort(best.begin(), best.end(), closer);
+  const auto estate = [&](const FitRounds* rounds) {
+    return is_estate(starts[std::size_t(rounds - all.data())]);
+  };
+  const auto rest = best.begin() + std::ptrdiff_t(std::min(closest, best.size()));
+  const bool mixed = std::any_of(best.begin(), rest, [&](const FitRounds* rounds) {
+    return estate(rounds) != estate(best.front());
   });
-  return *std::min_element(all.begin(), all.begin() + std::ptrdiff_t(count),
-                           [&](const FitRounds& a, const FitRounds& b) {
-                             const std::size_t folds_a = a.folded_faces().size();
-                             const std::size_t folds_b = b.folded_faces().size();
-                             return folds_a != folds_b ? folds_a < folds_b : closer(a, b);
-                           });
+  const auto other = std::find_if(rest, best.end(), [&](const FitRounds* rounds) {
+    return !mixed && estate(rounds) != estate(best.front());
+  });
+  std::vector<FitRounds*> chosen(best.begin(), rest);
+  if (other != best.end()) chosen.push_back(*other);
+  return chosen;
+}
+
+// Bending energy of the whole patches.
+double patch_bending(const model::Model& model) {
+  const auto context = std::make_shared<const model::BodyContext>(model);
+  model::EvaluatorOptions options;
+  options.stage = model::Stage::base;
+  options.terms = {{model::TermKind::bending, 1.0, model::Stage::base, {}}};
+  model::Evaluator evaluator(context, {}, options);
+  return evaluator.evaluate(evaluator.start(), nullptr);
+}
+
+// Of two bodies the closer one, unless its patches bend much more: by half more for every tenth of
+// the misfit. A roof drawn over the rear window may come as close as one that ends where the car's
+// does, but it bends.
+struct Ending {
+  FitRounds* rounds;
+  bool usable;
+  std::size_t folds;
+  double cost;
+
+  explicit Ending(FitRounds* end)
+      : rounds(end), usable(end->usable()), folds(end->folded_faces().size()) {
+    cost = end->misfit() * end->misfit() * std::sqrt(patch_bending(end->model()));
+    if (!std::isfinite(cost)) cost = std::numeric_limits<double>::infinity();
+  }
+
+  bool comes_before(const Ending& other) const {
+    if (usable != other.usable) return usable;
+    if (folds != other.folds) return folds < other.folds;
+    return cost < other.cost;
+  }
+};
+
+// Takes them to the end and returns the best of them, with the fewest folds.
+FitRounds& refined(std::vector<FitRounds>& all, const std::vector<FitStart>& starts) {
+  const std::vector<FitRounds*> best = finalists(all, starts);
+  for (FitRounds& rounds : all) rounds.tell(&rounds == best.front());
+  tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t k) {
+    tbb::this_task_arena::isolate([&] { best[k]->refine(); });
+  });
+  const std::vector<Ending> endings(best.begin(), best.end());
+  return *std::min_element(endings.begin(), endings.end(), [](const Ending& a, const Ending& b) {
+            return a.comes_before(b);
+          })->rounds;
 }
 
 }  // namespace
@@ -52,7 +112,7 @@ FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Mode
   check_fit_options(options);
   const auto begin = FitRounds::Clock::now();
   std::vector<FitRounds> all = approaches(targets, start, options, begin);
-  FitRounds& best = refined(all);
+  FitRounds& best = refined(all, options.starts);
   FitResult result{best.status(), best.model(), best.history(), best.folded_faces(), 0.0};
   // Stopped between two rounds, none of them knows of it.
   if (best.stopped()) result.status = Status::interrupted;

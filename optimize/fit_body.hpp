@@ -20,8 +20,10 @@ struct FitResult {
 
 /// Fits a body to targets in the coordinates of `start`: first a smooth warp of the whole body,
 /// then its curves with whole patches, then everything with the closed body; while a face folds up
-/// to `unfold_rounds` more. Throws std::invalid_argument as check_fit_options
-/// does.
+/// to `unfold_rounds` more. Of the starts the two that are closest with whole patches go to the
+/// end, and the closest of the other kind, saloon or estate car, when both are of one; of their
+/// ends the one with the fewest folds counts, then the closer one unless its patches bend much
+/// more. Throws std::invalid_argument as check_fit_options does.
 FitResult fit_body(const std::vector<FitTargetMaker>& targets, const model::Model& start,
                    const FitOptions& options);
 

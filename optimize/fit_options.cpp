@@ -34,7 +34,8 @@ void check_fit_options(const FitOptions& options) {
   if (options.near > options.far) refuse("near", "must not be greater than far");
   for (const auto& [name, weight] :
        {Number{"bending", options.bending}, Number{"fold", options.fold},
-        Number{"stay", options.stay}, Number{"rims", options.rims}}) {
+        Number{"stay", options.stay}, Number{"rims", options.rims},
+        Number{"edges", options.edges}}) {
     if (!(weight >= 0.0) || !std::isfinite(weight)) refuse(name, "must be finite and not negative");
   }
 }

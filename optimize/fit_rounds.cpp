@@ -28,6 +28,7 @@ FitRound first_round(const FitOptions& options, int nodes_per_direction) {
   round.fold_weight = options.fold;
   round.nodes = nodes_per_direction;
   round.rims = options.rims;
+  round.edges = options.edges;
   return round;
 }
 
@@ -65,10 +66,10 @@ FitPhase FitRounds::phase(model::Stage stage, std::vector<std::string> vary, dou
   return FitPhase(model_, *targets_, phase);
 }
 
+bool FitRounds::usable() const { return !failed_ && std::isfinite(misfit_); }
+
 bool FitRounds::closer_than(const FitRounds& other) const {
-  const bool usable = !failed_ && std::isfinite(misfit_);
-  const bool other_usable = !other.failed_ && std::isfinite(other.misfit_);
-  return usable != other_usable ? usable : usable && misfit_ < other.misfit_;
+  return usable() != other.usable() ? usable() : usable() && misfit_ < other.misfit_;
 }
 
 void FitRounds::one_round(FitPhase& phase, const std::string& name, int index, int rounds,
@@ -106,6 +107,7 @@ void FitRounds::unfold(FitPhase& phase) {
     round.fold_weight *= fold_growth;
     round.fold.cosine += fold_cosine_step;
     round.rims *= rims_decay;
+    round.edges *= rims_decay;
     one_round(phase, "unfold", k, options_->unfold_rounds, round);
     const model::Model model = phase.model();
     std::vector<std::string> folded = find_folded_faces(model);

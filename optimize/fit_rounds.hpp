@@ -28,7 +28,9 @@ class FitRounds {
   const model::Model& model() const { return model_; }
   /// That of the targets together at the end of the last phase, mm (FitPhase::misfit).
   double misfit() const { return misfit_; }
-  /// Whether it comes before another one: what failed or has no misfit comes last.
+  /// Whether it did not fail and has a misfit.
+  bool usable() const;
+  /// Whether it comes before another one: what is not usable comes last.
   bool closer_than(const FitRounds& other) const;
   const std::vector<FitProgress>& history() const { return history_; }
   const std::vector<std::string>& folded_faces() const { return folded_faces_; }

@@ -19,8 +19,9 @@ struct FitRound {
   PullReach reach;
   double fold_weight = 0.0;
   model::FoldOptions fold;
-  int nodes = 8;      ///< Gauss nodes per direction on a face
-  double rims = 0.0;  ///< weight of the body's rims, see FitOptions
+  int nodes = 8;       ///< Gauss nodes per direction on a face
+  double rims = 0.0;   ///< weight of the body's rims, see FitOptions
+  double edges = 0.0;  ///< and of the target's edges
 };
 
 /// Distances of a target's points from the body, mm.

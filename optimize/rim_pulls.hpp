@@ -1,30 +1,37 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
-#include "model/body_plan.hpp"
-#include "optimize/pull_term.hpp"
-#include "optimize/scan_match.hpp"
+#include "model/scan.hpp"
+#include "optimize/pull_moments.hpp"
+#include "optimize/rim_samples.hpp"
+#include "optimize/scan_edges.hpp"
 
 namespace bodyline::optimize {
 
-/// Which sides of the faces of a stage are rims of the body (wheel arches, sill, lower edges): no
-/// joint and no seam is there. By face and by model::Side; joints' and corners' faces have none.
-std::vector<std::array<bool, 4>> rims_of(const model::BodyPlan& plan, model::Stage stage);
+/// How strongly rims are drawn.
+struct RimPullOptions {
+  double reach = 100.0;  ///< longer gaps hardly pull, mm, off the surface and along it
+  double rims = 0.0;     ///< weight of all rims in each direction, in points of the scan
+  double edges = 0.0;    ///< weight of all edges, likewise
+};
 
-/// Matches of points on the body's rims, and pulls that draw the rims back to where the scan ends.
-/// (Where the scan goes on beyond a rim its own points draw the rim out, see ScanFollower.)
+/// Matches of points on the body's rims, and pulls that bring the rims to the edges of a scan, both
+/// ways and square to the rim: every edge draws the nearest rim that faces the same way, and every
+/// point of a rim is drawn to the nearest such edge; along the rim, too, where the edge ends before
+/// it, so that corners find theirs. A point without an edge is drawn back to where the scan ends.
+/// No pull is longer than some millimetres: surfaces must keep up, and matches follow. (Where the
+/// scan goes on beyond a rim its own points draw the rim out, see ScanFollower.)
 class RimPuller {
  public:
-  /// `scan` is folded and has normals; it and the plan must outlive the puller.
-  RimPuller(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan);
+  /// `scan` is folded and has normals; it, the plan and the edges must outlive the puller.
+  RimPuller(const model::BodyPlan& plan, model::Stage stage, const model::Scan& scan,
+            const std::vector<ScanEdge>& edges);
   ~RimPuller();
 
-  /// Appends to both. `reach`: gaps longer than this hardly pull, mm; `weight`: of all rims
-  /// together, in points of the scan.
-  void append(const double* nets, double reach, double weight, std::vector<Match>& matches,
+  /// Appends to both, one by one.
+  void append(const double* nets, const RimPullOptions& options, std::vector<Match>& matches,
               std::vector<MatchPull>& pulls) const;
 
  private:

@@ -50,6 +50,22 @@ TEST(AlignScan, HasAFloorBetweenTheCarAndTheGround) {
   }
 }
 
+TEST(AlignScan, AFlatSideOfTheCarIsNoGroundAtAGivenPose) {
+  SampleDraw draw(1);
+  Scan scan = sampled(car("model1"), sample_points, 1.0, draw);
+  double side = 0.0;
+  for (const Vector3d& point : scan.points) side = std::min(side, point.y());
+  for (std::size_t k = scan.points.size() / 5; k > 0; --k) {
+    const Vector3d place = draw.in_box();
+    scan.points.emplace_back(2300.0 + 800.0 * place.x(), side, 350.0 + 150.0 * place.z());
+  }
+  AlignOptions options;
+  options.pose = model::Pose{};
+  const AlignResult result = align_scan(scan, car("template"), options);
+  EXPECT_EQ(result.ground, 0.0);
+  EXPECT_EQ(result.words.find("ground"), std::string::npos);
+}
+
 TEST(AlignScan, HasNoFloorWithoutGround) {
   SampleDraw draw(1);
   const Scan scan = sampled(car("model1"), sample_points, 1.0, draw);

@@ -9,6 +9,7 @@
 #include "model/build.hpp"
 #include "model/evaluator.hpp"
 #include "model/scan.hpp"
+#include "optimize/rim_samples.hpp"
 
 namespace bodyline::optimize {
 
@@ -34,6 +35,17 @@ struct CarNets {
   std::shared_ptr<const model::BodyContext> context;
   std::unique_ptr<model::Evaluator> evaluator;
 };
+
+/// Points of all rims of a car, `count` of each.
+inline std::vector<RimSample> samples_of_rims(const CarNets& car, int count) {
+  std::vector<RimSample> all;
+  for (const Rim& rim : rim_list(car.context->plan, car.stage)) {
+    const model::Face& face = car.context->plan.faces(car.stage)[std::size_t(rim.face)];
+    const auto own = rim_samples(rim, face, car.nets() + 3 * face.net, count);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
 
 /// Points up to `away` mm off the left half of the body, with its normals; u and v are at least
 /// `inset` from the edges of the faces.

@@ -12,6 +12,7 @@
 #include "model/evaluator.hpp"
 #include "model/selection.hpp"
 #include "optimize/align_scan.hpp"
+#include "optimize/arch_gaps.hpp"
 #include "optimize/deviation.hpp"
 #include "optimize/fit_scan.hpp"
 #include "optimize/orient_normals.hpp"
@@ -164,7 +165,7 @@ model::Scan panels_of(const std::string& name, const model::Scan& scan) {
   return panels;
 }
 
-TEST_P(FitRealCar, MeetsItsPanelsWithoutFolds) {
+TEST_P(FitRealCar, MeetsItsPanelsAndWheelArchesWithoutFolds) {
   const std::string name = GetParam().name;
   if (!have_scan(name)) GTEST_SKIP() << "no ../shared/scans here";
   const model::Scan scan = read_test_scan(name);
@@ -177,6 +178,11 @@ TEST_P(FitRealCar, MeetsItsPanelsWithoutFolds) {
   EXPECT_LE(panels.median, median);
   EXPECT_LE(panels.p90, GetParam().p90);
   EXPECT_TRUE(result.folded_faces.empty());
+  constexpr double arch = 20.0;  // mm, of which some are how well the scan tells its end
+  const auto gaps = arch_gaps(result.model, measure_deviation(result.model, scan, aligned.pose));
+  EXPECT_EQ(gaps.size(), 6U);
+  for (const ArchGap& gap : gaps)
+    EXPECT_LE(std::abs(gap.gap), arch) << (gap.front ? "front " : "rear ") << gap.part;
 }
 
 INSTANTIATE_TEST_SUITE_P(Cars, FitRealCar,

@@ -1,4 +1,4 @@
-// Points that follow a body on their faces, the pulls at its rims, and the rows of hard points.
+// Points that follow a body on their faces, and the rows of hard points.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "model/net_surface.hpp"
 #include "optimize/distance_row.hpp"
-#include "optimize/rim_pulls.hpp"
+#include "optimize/rim_samples.hpp"
 #include "optimize/scan_follow.hpp"
 #include "tests/optimize/car_nets.hpp"
 #include "tests/optimize/robust_pull.hpp"
@@ -90,54 +90,6 @@ TEST(ScanFollower, AfterASmallMoveHasTheDistancesOfANewMatch) {
     change = std::max(change, std::abs(anew[k] - before[k]));
   }
   EXPECT_GT(change, 0.5);
-}
-
-/// The pulls at the rims of a car towards a scan, those that are not 0.
-std::vector<std::pair<Match, MatchPull>> rim_pulls(const CarNets& car, const model::Scan& scan,
-                                                   double weight) {
-  std::vector<Match> matches;
-  std::vector<MatchPull> pulls;
-  RimPuller(car.context->plan, car.stage, scan).append(car.nets(), 100.0, weight, matches, pulls);
-  EXPECT_FALSE(matches.empty());
-  EXPECT_EQ(matches.size(), pulls.size());
-  std::vector<std::pair<Match, MatchPull>> result;
-  for (std::size_t k = 0; k < pulls.size(); ++k)
-    if (pulls[k].weight.trace() > 0.0) result.emplace_back(matches[k], pulls[k]);
-  return result;
-}
-
-TEST(RimPuller, LeavesRimsWhereTheScanReachesThem) {
-  const CarNets car(model::Stage::base);
-  model::Scan scan = points_off(car, 4000, 0.0, 0.0);
-  std::vector<Match> matches;
-  std::vector<MatchPull> pulls;
-  RimPuller(car.context->plan, car.stage, scan).append(car.nets(), 100.0, 1.0, matches, pulls);
-  for (const Match& match : matches) {
-    scan.points.push_back(match.foot);
-    scan.normals.push_back(match.normal);
-  }
-  EXPECT_TRUE(rim_pulls(car, scan, 1.0).empty());
-}
-
-TEST(RimPuller, DrawsRimsBackAlongTheSurfaceToWhereTheScanEnds) {
-  constexpr double weight = 50.0;
-  const CarNets car(model::Stage::base);
-  // Dense, so that a fifth of a face without points is more than what lies between points.
-  const auto pulled = rim_pulls(car, points_off(car, 40000, 0.0, 0.2), weight);
-  EXPECT_GT(pulled.size(), 50U);
-  double sum = 0.0;
-  for (const auto& [match, pull] : pulled) {
-    const Vector3d back = pull.target - match.foot;
-    EXPECT_GT(match.distance, 0.0);
-    EXPECT_NEAR(back.norm(), match.distance, 1e-9);
-    EXPECT_NEAR(back.dot(match.normal), 0.0, 1e-3 * back.norm());
-    // Only along the way back.
-    const Vector3d along = back.normalized();
-    EXPECT_NEAR(along.dot(pull.weight * along), pull.weight.trace(), 1e-9 * weight);
-    sum += pull.weight.trace();
-  }
-  EXPECT_LE(sum, weight);
-  EXPECT_GT(sum, 0.0);
 }
 
 /// How far a point is out of the tangent plane at (u, v) of a face with given nets.
