@@ -44,6 +44,8 @@ io::FitReport fit_report(const FittedCar& car, const model::Model& start,
     report =
         deviation_report(car.result.model, model::Stage::body, *car.scan, *car.deviation, request);
     for (const std::string& words : arch_warnings(car.arches)) report.warnings.push_back(words);
+    if (const std::string words = hidden_arches(car.result.model, car.arches); !words.empty())
+      report.warnings.push_back(words);
   } else {
     report.title = car.result.model.name;
     report.body = car.result.model;

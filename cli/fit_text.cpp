@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/deviation_text.hpp"
@@ -49,6 +50,23 @@ std::vector<std::string> arch_warnings(const std::vector<optimize::ArchGap>& arc
   return words;
 }
 
+std::string hidden_arches(const model::Model& model, const std::vector<optimize::ArchGap>& arches) {
+  std::string parts;
+  for (const bool front : {true, false}) {
+    if ((front ? model.front_arch : model.rear_arch).curves.empty()) continue;
+    for (const char* const part : {"rear", "top", "front"}) {
+      const bool told = std::any_of(arches.begin(), arches.end(), [&](const auto& arch) {
+        return arch.front == front && arch.part == part;
+      });
+      if (!told)
+        parts += fmt::format("{}{}, {}", parts.empty() ? "" : "; ", front ? "front" : "rear", part);
+    }
+  }
+  if (parts.empty()) return "";
+  return "wheel arches where the scan does not tell its end (a wheel, a hole, few points): " +
+         parts;
+}
+
 nlohmann::ordered_json fit_json(const FittedCar& car) {
   nlohmann::ordered_json json{{"status", optimize::status_words(car.result.status)}};
   if (car.deviation) {
@@ -83,6 +101,9 @@ std::string fit_text(const FittedCar& car) {
                                                : ", held by fairness and the start model");
   }
   for (const std::string& words : arch_warnings(car.arches)) text += words + "\n";
+  if (const std::string words = car.deviation ? hidden_arches(car.result.model, car.arches) : "";
+      !words.empty())
+    text += words + "\n";
   text += drawn_text(car.kept);
   text += bounds_text(car.bounds, car.bounds_kept);
   for (const std::string& face : car.result.folded_faces) text += "still folded: " + face + "\n";

@@ -31,6 +31,9 @@ bool has_findings(const FittedCar& car);
 
 /// Sentences on parts of wheel arches that are over 10 mm off the scan's.
 std::vector<std::string> arch_warnings(const std::vector<optimize::ArchGap>& arches);
+/// The parts of the model's wheel arches that are not among those that were measured, in words;
+/// empty when there are none.
+std::string hidden_arches(const model::Model& model, const std::vector<optimize::ArchGap>& arches);
 
 /// The document that `fit --json` prints (docs/fitting.md).
 nlohmann::ordered_json fit_json(const FittedCar& car);

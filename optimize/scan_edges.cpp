@@ -111,7 +111,8 @@ std::optional<ScanEdge> edge_at(const model::Scan& scan, const PointTree& tree, 
   if (!(std::abs(normal.norm() - 1.0) < unit_tolerance)) return std::nullopt;  // not finite, too
   if (-normal.y() < options.sideways) return std::nullopt;
   look_around(scan, tree, at, options.neighbours, around);
-  if (int(around.offsets.size()) < fewest_neighbours) return std::nullopt;
+  if (around.radius > options.widest || int(around.offsets.size()) < fewest_neighbours)
+    return std::nullopt;
   if (widest_gap(around.angles) < options.least_gap * std::numbers::pi / 180.0) return std::nullopt;
   Vector3d inward = Vector3d::Zero();
   for (const Vector3d& offset : around.offsets) inward += offset;

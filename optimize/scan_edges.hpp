@@ -18,6 +18,7 @@ struct ScanEdge {
 
 struct ScanEdgeOptions {
   int neighbours = 32;     ///< of a point, that tell whether it is at an edge; from 6 to 1000
+  double widest = 80;      ///< farthest neighbour, mm: fewer points do not tell where they end
   double least_gap = 120;  ///< widest angle without neighbours that makes an edge, degrees
   double hole = 100;      ///< widest hole whose near edge is left out, since the far one counts, mm
   double sideways = 0.7;  ///< least -y of the normal: bumpers end in lips and openings of all kinds

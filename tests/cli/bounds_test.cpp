@@ -81,6 +81,20 @@ TEST(ArchWarnings, AreOfRimsOverTenMillimetresOff) {
   EXPECT_EQ(words[1], "wheel arch rear, rear: rim 20 mm beyond the scan");
 }
 
+TEST(ArchWarnings, NameThePartsThatTheScanDoesNotTell) {
+  model::Model model;
+  EXPECT_EQ(cli::hidden_arches(model, {}), "");  // it has no arches
+  model.front_arch.curves = model.rear_arch.curves = {0};
+  const std::vector<optimize::ArchGap> most{
+      {true, "rear", 1.0}, {true, "top", 2.0}, {false, "rear", 3.0}, {false, "front", 4.0}};
+  const std::string words = cli::hidden_arches(model, most);
+  EXPECT_EQ(words.substr(words.find(": ")), ": front, front; rear, top");
+  std::vector<optimize::ArchGap> all = most;
+  all.push_back({true, "front", 0.0});
+  all.push_back({false, "top", 0.0});
+  EXPECT_EQ(cli::hidden_arches(model, all), "");
+}
+
 TEST(FitFindings, AFitThatFailedOrABoundThatIsNotKept) {
   cli::FittedCar car;
   car.result.status = optimize::Status::small_improvement;

@@ -163,6 +163,19 @@ TEST(ScanEdges, AreNoneOfVeryFewPoints) {
   }
 }
 
+TEST(ScanEdges, AreNoneWherePointsAreTooFarApartToTell) {
+  const model::Scan scan = plate(with_hole(150.0));
+  model::Scan sparse;
+  for (std::size_t k = 0; k < scan.points.size(); k += 16) {
+    sparse.points.push_back(scan.points[k]);
+    sparse.normals.push_back(scan.normals[k]);
+  }
+  EXPECT_TRUE(scan_edges(sparse).empty());
+  ScanEdgeOptions options;
+  options.widest = 1000.0;
+  EXPECT_FALSE(scan_edges(sparse, options).empty());
+}
+
 TEST(ScanEdges, LeaveOutPointsWithoutAUsableNormal) {
   model::Scan scan = plate(with_hole(150.0));
   const std::size_t all = scan_edges(scan).size();
