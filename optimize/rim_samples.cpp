@@ -36,7 +36,8 @@ std::vector<RimSample> rim_samples(const Rim& rim, const model::Face& face, cons
   const double inward = end > 0.0 ? -step : step;
   FootColumns columns(3 * count);
   for (int k = 0; k < 3 * count; ++k) {
-    const double t = (k / 3 + 0.5) / count + (k % 3 == 2 ? step : 0.0);
+    const int number = k / 3;
+    const double t = (number + 0.5) / count + (k % 3 == 2 ? step : 0.0);
     const double across = end + (k % 3 == 1 ? inward : 0.0);
     columns.u(k) = along_v ? across : t;
     columns.v(k) = along_v ? t : across;
