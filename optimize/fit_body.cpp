@@ -45,18 +45,16 @@ std::vector<FitRounds*> finalists(std::vector<FitRounds>& all,
   std::vector<FitRounds*> best;
   for (FitRounds& rounds : all) best.push_back(&rounds);
   std::stable_sort(best.begin(), best.end(), closer);
-  const auto estate = [&](const FitRounds* rounds) {
-    return is_estate(starts[std::size_t(rounds - all.data())]);
-  };
   const auto rest = best.begin() + std::ptrdiff_t(std::min(closest, best.size()));
-  const bool mixed = std::any_of(best.begin(), rest, [&](const FitRounds* rounds) {
+  const auto of_other_kind = [&](const FitRounds* rounds) {
+    const auto estate = [&](const FitRounds* r) { return is_estate(starts[r - all.data()]); };
     return estate(rounds) != estate(best.front());
-  });
-  const auto other = std::find_if(rest, best.end(), [&](const FitRounds* rounds) {
-    return !mixed && estate(rounds) != estate(best.front());
-  });
+  };
   std::vector<FitRounds*> chosen(best.begin(), rest);
-  if (other != best.end()) chosen.push_back(*other);
+  if (std::none_of(best.begin(), rest, of_other_kind)) {
+    const auto other = std::find_if(rest, best.end(), of_other_kind);
+    if (other != best.end()) chosen.push_back(*other);
+  }
   return chosen;
 }
 

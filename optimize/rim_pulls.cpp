@@ -72,7 +72,7 @@ struct Draw {
   Matrix3d directions;
 };
 
-// Square to the rim, and along it too where one of the two has come to its end.
+// Square to the rim, and along it too where the edge has come to its end.
 Draw draw_to(const Vector3d& target, const Vector3d& along, bool at_end) {
   if (at_end) return {target, Matrix3d::Identity()};
   return {target, Matrix3d::Identity() - along * along.transpose() / along.squaredNorm()};

@@ -61,15 +61,20 @@ TEST(Store, SaysWhatIsWrongWithAFile) {
                explore::StoreError);
 }
 
-// Whatever its length, a store that was cut off is refused with a sentence.
-TEST(Store, SaysThatItIsCutOff) {
-  const Folder folder;
+// A store with all its rows; its size in bytes.
+std::uintmax_t finished_store(const fs::path& path) {
   {
-    explore::StoreWriter store = new_store(folder / "a.h5", stored_study("block = 64"), rows);
+    explore::StoreWriter store = new_store(path, stored_study("block = 64"), rows);
     append_made_up(store, rows, 100);
     store.finish();
   }
-  const std::uintmax_t size = fs::file_size(folder / "a.h5");
+  return fs::file_size(path);
+}
+
+// Whatever its length, a store that was cut off is refused with a sentence.
+TEST(Store, SaysThatItIsCutOff) {
+  const Folder folder;
+  const std::uintmax_t size = finished_store(folder / "a.h5");
   for (const double part : {0.0001, 0.01, 0.3, 0.7, 0.99, 0.99999}) {
     fs::copy_file(folder / "a.h5", folder / "cut.h5", fs::copy_options::overwrite_existing);
     fs::resize_file(folder / "cut.h5", std::uintmax_t(part * double(size)));
@@ -83,12 +88,7 @@ TEST(Store, SaysThatItIsCutOff) {
 // Bytes that are overwritten anywhere give a sentence or, where they do not matter, the rows.
 TEST(Store, SurvivesDamage) {
   const Folder folder;
-  {
-    explore::StoreWriter store = new_store(folder / "a.h5", stored_study("block = 64"), rows);
-    append_made_up(store, rows, 100);
-    store.finish();
-  }
-  const std::uintmax_t size = fs::file_size(folder / "a.h5");
+  const std::uintmax_t size = finished_store(folder / "a.h5");
   for (int n = 0; n < 200; ++n) {
     fs::copy_file(folder / "a.h5", folder / "bad.h5", fs::copy_options::overwrite_existing);
     {
